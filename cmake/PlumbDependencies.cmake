@@ -1,0 +1,23 @@
+# System packages only; nothing is downloaded.
+find_package(Threads REQUIRED)
+find_package(glm REQUIRED)
+find_package(TBB REQUIRED)
+find_package(fmt REQUIRED)
+find_package(embree 3 REQUIRED)
+find_package(GDAL REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(OpenImageIO REQUIRED)
+
+# Debian's OpenImageIO target names include folders that its package does not ship; CMake refuses those.
+get_target_property(plumb_oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
+if(plumb_oiio_includes)
+  set(plumb_present "")
+  foreach(folder IN LISTS plumb_oiio_includes)
+    if(EXISTS "${folder}")
+      list(APPEND plumb_present "${folder}")
+    endif()
+  endforeach()
+  set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${plumb_present}")
+endif()

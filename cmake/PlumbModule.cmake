@@ -1,0 +1,23 @@
+# plumb_module(NAME SOURCES ... HEADERS ... [DEPENDS modules] [PUBLIC targets] [PRIVATE targets])
+#
+# A folder of src/ as a static library plumb_NAME, known to others as plumb::NAME. HEADERS are installed;
+# PRIVATE targets are linked but seen by no consumer (heavy libraries).
+function(plumb_module NAME)
+  cmake_parse_arguments(ARG "" "" "SOURCES;HEADERS;DEPENDS;PUBLIC;PRIVATE" ${ARGN})
+  set(target plumb_${NAME})
+  add_library(${target} STATIC ${ARG_SOURCES} ${ARG_HEADERS})
+  add_library(plumb::${NAME} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${NAME} POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
+                                              $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/plumb>)
+  target_link_libraries(${target} PUBLIC plumb_flags ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  foreach(module IN LISTS ARG_DEPENDS)
+    target_link_libraries(${target} PUBLIC plumb_${module})
+  endforeach()
+  set_property(GLOBAL APPEND PROPERTY PLUMB_MODULES ${target})
+  foreach(header IN LISTS ARG_HEADERS)
+    get_filename_component(folder ${header} DIRECTORY)
+    file(RELATIVE_PATH below ${PROJECT_SOURCE_DIR}/src ${CMAKE_CURRENT_SOURCE_DIR})
+    install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumb/${below}/${folder} COMPONENT devel)
+  endforeach()
+endfunction()

@@ -1,0 +1,45 @@
+// What a method hands over to be drawn and judged.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/claim.h"
+#include "core/cost.h"
+#include "core/triangle_mesh.h"
+
+namespace plumb {
+
+/// A run of consecutive triangles that a report can name.
+struct Patch {
+  std::uint32_t first_triangle = 0;
+  std::uint32_t triangle_count = 0;
+  int lod = 0;       // 0 is the finest
+  std::string name;  // for people: where it is, in the method's own words
+};
+
+/// The surface that a method would draw for one camera, and what it promises about it.
+///
+/// Patches are ordered by `first_triangle` and cover every triangle; an empty list is one patch.
+/// Every drawn surface claims coverage zero; the method need not say so.
+struct DrawnSurface {
+  TriangleMesh mesh;
+  std::vector<Patch> patches;
+  std::vector<Claim> claims;
+  Cost cost;
+  std::vector<std::string> notes;  // what a user should know: bounds out of reach, choices made
+};
+
+/// Index of the patch that holds a triangle; 0 where the surface has no patches.
+inline int patch_of(const DrawnSurface& surface, std::uint32_t triangle) {
+  int low = 0, high = static_cast<int>(surface.patches.size());
+  while (high - low > 1) {
+    const int middle = low + (high - low) / 2;
+    (surface.patches[static_cast<std::size_t>(middle)].first_triangle <= triangle ? low : high) =
+        middle;
+  }
+  return low;
+}
+
+}  // namespace plumb

@@ -1,0 +1,43 @@
+// How far a displacement in the world reaches on the screen.
+//
+// Derived in docs/algorithms/ground-truth.md, "How far an error reaches on the screen".
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "core/box.h"
+#include "core/camera.h"
+
+namespace plumb {
+
+/// |proj(p + delta * axis) - proj(p)| in pixels; +inf if either point lies at or behind the eye's
+/// plane (depth <= 0).
+///
+/// world_m  the point p, in the camera's coordinates
+/// axis     unit vector
+/// delta_m  signed displacement along it
+double screen_displacement_px(const Camera& camera, const glm::dvec3& world_m,
+                              const glm::dvec3& axis, double delta_m);
+
+/// Largest displacement on screen of any point of `box` moved by at most `delta_m` along `axis`:
+/// the exact supremum, +inf if a moved point may come to the eye's plane. The box need not be in
+/// view. `axis` is a coordinate axis.
+double largest_displacement_px(const Camera& camera, const Box& box, const glm::dvec3& axis,
+                               double delta_m);
+
+/// A displacement along `axis` that keeps every point of `box` within `error_px` of its place on
+/// the screen.
+///
+///   (1) Conservative: every |delta| <= result moves no point of the box *that is in view* by more
+///   than error_px. (2) Finite and >= 0 for every box and camera, boxes around or across the eye
+///   included.
+/// Up to 1.3 times smaller than the largest such displacement, 1.03 in the median. error_px >= 0,
+/// finite. +inf where no part of the box can be in view.
+double allowed_displacement_m(const Camera& camera, const Box& box, const glm::dvec3& axis,
+                              double error_px);
+
+/// False only if no point of the box lies in the camera's frustum (near plane and four sides; far
+/// is ignored).
+bool may_be_in_view(const Camera& camera, const Box& box);
+
+}  // namespace plumb

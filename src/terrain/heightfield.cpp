@@ -1,0 +1,94 @@
+#include "terrain/heightfield.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "core/check.h"
+#include "core/hash.h"
+#include "core/parallel.h"
+
+namespace plumb::terrain {
+
+const char* name_of(Diagonal diagonal) {
+  switch (diagonal) {
+    case Diagonal::Alternating:
+      return "alternating";
+    case Diagonal::Fixed:
+      return "fixed";
+    case Diagonal::Blocks8:
+      return "blocks:8";
+  }
+  return "?";
+}
+
+Diagonal parse_diagonal(const std::string& text) {
+  for (const Diagonal diagonal : {Diagonal::Alternating, Diagonal::Fixed, Diagonal::Blocks8}) {
+    if (text == name_of(diagonal)) return diagonal;
+  }
+  input_error("diagonal '{}': expected alternating, fixed or blocks:8", text);
+}
+
+Box bounds(const Heightfield& field) {
+  struct Range {
+    float low, high;
+  };
+  constexpr Range kNone{std::numeric_limits<float>::infinity(),
+                        -std::numeric_limits<float>::infinity()};
+  const Range range = parallel_ordered_reduce(
+      field.rows(), 64, kNone,
+      [&](std::int64_t begin, std::int64_t end, Range found) {
+        for (std::int64_t j = begin; j < end; ++j) {
+          for (const float height : field.heights_m.row(static_cast<int>(j))) {
+            found.low = height < found.low ? height : found.low;  // false for NaN
+            found.high = height > found.high ? height : found.high;
+          }
+        }
+        return found;
+      },
+      [](Range a, Range b) {
+        return Range{std::min(a.low, b.low), std::max(a.high, b.high)};
+      });
+  Box box;
+  if (range.low <= range.high) {
+    box.low = {0.0, 0.0, range.low};
+    box.high = {field.cell_columns() * field.dx_m, field.cell_rows() * field.dy_m, range.high};
+  }
+  return box;
+}
+
+std::uint64_t checksum(const Heightfield& field) {
+  Checksum sum;
+  sum.add(std::int64_t{field.columns()}).add(std::int64_t{field.rows()});
+  sum.add(field.dx_m).add(field.dy_m).add(field.origin_m.x).add(field.origin_m.y);
+  constexpr std::uint32_t kVoid = 0x7fc00000u;  // every NaN counts as the same one
+  std::vector<std::uint32_t> bits;
+  for (int j = 0; j < field.rows(); ++j) {
+    bits.clear();
+    for (const float height : field.heights_m.row(j)) {
+      bits.push_back(std::isnan(height) ? kVoid : std::bit_cast<std::uint32_t>(height));
+    }
+    sum.add(std::span<const std::uint32_t>(bits));
+  }
+  return sum.value();
+}
+
+void require_valid(const Heightfield& field) {
+  require(field.columns() >= 1 && field.rows() >= 1,
+          "a heightfield needs at least one sample, got {} x {}", field.columns(), field.rows());
+  require(field.dx_m > 0.0 && std::isfinite(field.dx_m) && field.dy_m > 0.0 &&
+              std::isfinite(field.dy_m),
+          "a heightfield's spacing must be positive and finite, got {} x {} m", field.dx_m,
+          field.dy_m);
+  require(std::isfinite(field.origin_m.x) && std::isfinite(field.origin_m.y),
+          "a heightfield's origin must be finite");
+  require(static_cast<std::int64_t>(field.cell_columns()) * field.cell_rows() <
+              (std::int64_t{1} << 31) - 1,
+          "a heightfield may have at most 2^31 - 2 cells, got {} x {} samples", field.columns(),
+          field.rows());
+  for (const float height : field.heights_m.values()) {
+    if (std::isinf(height))
+      throw std::invalid_argument("a height must be finite or NaN (void), got an infinite one");
+  }
+}
+
+}  // namespace plumb::terrain
