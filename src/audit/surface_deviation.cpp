@@ -18,7 +18,8 @@ constexpr double kNearLine = 1e-6;  // cells by which a search reaches beyond a 
 
 FlatTriangle flat_triangle(const TriangleMesh& mesh, std::uint32_t index, const glm::dvec3& shift) {
   const Triangle& t = mesh.triangles[index];
-  return {mesh.vertices_m[t[0]] + shift, mesh.vertices_m[t[1]] + shift, mesh.vertices_m[t[2]] + shift};
+  return {mesh.vertices_m[t[0]] + shift, mesh.vertices_m[t[1]] + shift,
+          mesh.vertices_m[t[2]] + shift};
 }
 
 void keep_worst(Deviation& worst, double delta, std::uint32_t triangle, Cover cover) {
@@ -36,7 +37,8 @@ struct Range {
 
 // Grid lines within [low, high] metres, one more where rounding could matter, cut to [least, most].
 Range lines_within(double low, double high, double step, int least, int most) {
-  const double first = std::ceil(low / step - kNearLine), last = std::floor(high / step + kNearLine);
+  const double first = std::ceil(low / step - kNearLine),
+               last = std::floor(high / step + kNearLine);
   return {static_cast<int>(std::clamp(first, static_cast<double>(least), most + 1.0)),
           static_cast<int>(std::clamp(last, least - 1.0, static_cast<double>(most)))};
 }
@@ -54,13 +56,15 @@ struct Reach {
   }
 };
 
-void cover_samples(const Heightfield& field, const FlatTriangle& t, std::uint32_t index, Range rows, int first_row,
-                   std::vector<Deviation>& found) {
-  const Range own = lines_within(std::min({t.a.y, t.b.y, t.c.y}), std::max({t.a.y, t.b.y, t.c.y}), field.dy_m, rows.first, rows.last);
+void cover_samples(const Heightfield& field, const FlatTriangle& t, std::uint32_t index, Range rows,
+                   int first_row, std::vector<Deviation>& found) {
+  const Range own = lines_within(std::min({t.a.y, t.b.y, t.c.y}), std::max({t.a.y, t.b.y, t.c.y}),
+                                 field.dy_m, rows.first, rows.last);
   for (int j = own.first; j <= own.last; ++j) {
     const double y = j * field.dy_m;
     // The line is moved into the triangle where it misses it by a rounding.
-    const double inside_y = std::clamp(y, std::min({t.a.y, t.b.y, t.c.y}), std::max({t.a.y, t.b.y, t.c.y}));
+    const double inside_y =
+        std::clamp(y, std::min({t.a.y, t.b.y, t.c.y}), std::max({t.a.y, t.b.y, t.c.y}));
     Reach reach;
     reach.add(t.a, t.b, inside_y);
     reach.add(t.b, t.c, inside_y);
@@ -70,7 +74,8 @@ void cover_samples(const Heightfield& field, const FlatTriangle& t, std::uint32_
       double z = 0.0;
       const Cover cover = t.cover(i * field.dx_m, y, z);
       if (cover == Cover::Outside) continue;
-      auto& worst = found[static_cast<std::size_t>(j - first_row) * field.columns() + static_cast<std::size_t>(i)];
+      auto& worst = found[static_cast<std::size_t>(j - first_row) * field.columns() +
+                          static_cast<std::size_t>(i)];
       keep_worst(worst, z - field.heights_m(i, j), index, cover);
     }
   }
@@ -84,7 +89,8 @@ void for_each_sample_row(const Heightfield& field, const TriangleMesh& mesh,
   const int bands = (field.rows() + kBandRows - 1) / kBandRows;
   const RowBins bins(mesh, shift.y, kBandRows * field.dy_m, bands, kNearLine * field.dy_m);
   parallel_for(bands, 1, [&](std::int64_t band) {
-    const int first = static_cast<int>(band) * kBandRows, last = std::min(first + kBandRows, field.rows()) - 1;
+    const int first = static_cast<int>(band) * kBandRows,
+              last = std::min(first + kBandRows, field.rows()) - 1;
     std::vector<Deviation> found(static_cast<std::size_t>(last - first + 1) * field.columns());
     for (const std::uint32_t index : bins.triangles(static_cast<int>(band))) {
       const FlatTriangle t = flat_triangle(mesh, index, shift);
@@ -126,18 +132,22 @@ struct Buckets {
     for (std::size_t b = 1; b < start.size(); ++b) start[b] += start[b - 1];
     places.resize(at.size());
     std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-    for (std::size_t k = 0; k < at.size(); ++k) places[next[bucket[k]]++] = static_cast<std::uint32_t>(k);
+    for (std::size_t k = 0; k < at.size(); ++k)
+      places[next[bucket[k]]++] = static_cast<std::uint32_t>(k);
   }
   int column_of(double x) const { return clamped(x / width_m, columns); }
   int row_of(double y) const { return clamped(y / height_m, rows); }
 
  private:
-  static int clamped(double at, int count) { return static_cast<int>(std::clamp(std::floor(at), 0.0, count - 1.0)); }
+  static int clamped(double at, int count) {
+    return static_cast<int>(std::clamp(std::floor(at), 0.0, count - 1.0));
+  }
 };
 
 }  // namespace
 
-std::vector<Deviation> deviation_at(const Heightfield& field, const TriangleMesh& mesh, const std::vector<glm::dvec3>& places_m) {
+std::vector<Deviation> deviation_at(const Heightfield& field, const TriangleMesh& mesh,
+                                    const std::vector<glm::dvec3>& places_m) {
   std::vector<Deviation> found(places_m.size());
   if (places_m.empty()) return found;
   const Buckets buckets(field, places_m);
@@ -145,8 +155,11 @@ std::vector<Deviation> deviation_at(const Heightfield& field, const TriangleMesh
   const double slack_x = kNearLine * field.dx_m, slack_y = kNearLine * field.dy_m;
   const RowBins bins(mesh, shift.y, buckets.height_m, buckets.rows, slack_y);
   parallel_for(buckets.rows, 1, [&](std::int64_t row) {
-    const std::size_t row_start = static_cast<std::size_t>(row) * static_cast<std::size_t>(buckets.columns);
-    if (buckets.start[row_start] == buckets.start[row_start + static_cast<std::size_t>(buckets.columns)]) return;
+    const std::size_t row_start =
+        static_cast<std::size_t>(row) * static_cast<std::size_t>(buckets.columns);
+    if (buckets.start[row_start] ==
+        buckets.start[row_start + static_cast<std::size_t>(buckets.columns)])
+      return;
     for (const std::uint32_t index : bins.triangles(static_cast<int>(row))) {
       const FlatTriangle t = flat_triangle(mesh, index, shift);
       if (!t.is_flat()) continue;
@@ -159,7 +172,8 @@ std::vector<Deviation> deviation_at(const Heightfield& field, const TriangleMesh
         const glm::dvec3& place = places_m[buckets.places[k]];
         double z = 0.0;
         const Cover cover = t.cover(place.x, place.y, z);
-        if (cover != Cover::Outside) keep_worst(found[buckets.places[k]], z - place.z, index, cover);
+        if (cover != Cover::Outside)
+          keep_worst(found[buckets.places[k]], z - place.z, index, cover);
       }
     }
   });
