@@ -62,8 +62,10 @@ struct ClaimResult {
   bool is_limit = false;  // the user's, not the method's
   std::string label;      // "sample-error", "coverage", ...
   double measured = 0.0;
-  double slack = 0.0;  // what rounding may add to the measurement, in the claim's unit
-  std::int64_t violations = 0;
+  double slack = 0.0;           // what rounding may add to the measurement, in the claim's unit
+  std::int64_t violations = 0;  // samples, places, pixels or patches over the bound
+  std::int64_t triangles_over =
+      -1;  // drawn triangles that cover a sample over it; -1 where that is not counted
   bool holds = true;
   std::optional<Offender> worst;
 

@@ -79,6 +79,7 @@ class Checker {
       r.measured = s.worst_m.error;
       r.slack = truth_.slack_m;
       r.violations = count_above(s.values_m, bound + r.slack);
+      r.triangles_over = count_above(s.triangle_max_m, bound + r.slack);
       r.worst = at_sample(r.label, s.worst_m, unit);
     } else {
       r.measured = s.worst_px.error;

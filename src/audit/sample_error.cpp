@@ -112,10 +112,11 @@ SampleErrors sample_errors(const HeightfieldTruth& truth, const HitImage& true_h
   const Camera local = relative_to(camera, truth.field().world_origin_m());
   const RowMeasure measure(truth, true_hits, surface, local);
   std::vector<RowErrors> rows(static_cast<std::size_t>(truth.field().rows()));
-  for_each_sample_row(truth.field(), *surface.mesh, [&](int j, std::span<const Deviation> row) {
-    rows[static_cast<std::size_t>(j)] = measure(j, row);
-  });
   SampleErrors errors;
+  for_each_sample_row(truth.field(), *surface.mesh, &errors.triangle_max_m,
+                      [&](int j, std::span<const Deviation> row) {
+                        rows[static_cast<std::size_t>(j)] = measure(j, row);
+                      });
   errors.patch_max_m.assign(std::max<std::size_t>(1, surface.patches.size()), 0.0);
   std::vector<float> visible;
   for (RowErrors& row :

@@ -28,6 +28,8 @@ struct SampleErrors {
   Distribution metres, pixels;   // of these
   Distribution visible_pixels;   // of those that the truth shows, or hides by less than a pixel
   WorstSample worst_m, worst_px;
+  std::vector<float>
+      triangle_max_m;  // a triangle each, over the samples that it covers, edges included
   std::vector<double> patch_max_m;  // a patch each; 0 where a patch holds no sample
   std::int64_t uncovered = 0;       // samples of the surface with nothing drawn over them
   std::int64_t over_void = 0;       // void samples with something drawn over them

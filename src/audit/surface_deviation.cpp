@@ -1,6 +1,8 @@
 #include "audit/surface_deviation.h"
 
 #include <algorithm>
+#include <atomic>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -28,6 +30,16 @@ void keep_worst(Deviation& worst, double delta, std::uint32_t triangle, Cover co
   if (!worst.covered() || farther) {
     worst.delta_m = delta;
     worst.triangle = triangle;
+  }
+}
+
+// Bits of floats >= 0 order as the floats do. Several bands may hold parts of a triangle; a maximum
+// has no order.
+void raise_to(float& most, double distance) {
+  const std::uint32_t bits = std::bit_cast<std::uint32_t>(static_cast<float>(distance));
+  std::atomic_ref<std::uint32_t> shared(reinterpret_cast<std::uint32_t&>(most));
+  std::uint32_t seen = shared.load(std::memory_order_relaxed);
+  while (seen < bits && !shared.compare_exchange_weak(seen, bits, std::memory_order_relaxed)) {
   }
 }
 
@@ -60,6 +72,7 @@ void cover_samples(const Heightfield& field, const FlatTriangle& t, std::uint32_
                    int first_row, std::vector<Deviation>& found) {
   const Range own = lines_within(std::min({t.a.y, t.b.y, t.c.y}), std::max({t.a.y, t.b.y, t.c.y}),
                                  field.dy_m, rows.first, rows.last);
+  double largest = 0.0;
   for (int j = own.first; j <= own.last; ++j) {
     const double y = j * field.dy_m;
     // The line is moved into the triangle where it misses it by a rounding.
@@ -76,16 +89,21 @@ void cover_samples(const Heightfield& field, const FlatTriangle& t, std::uint32_
       if (cover == Cover::Outside) continue;
       auto& worst = found[static_cast<std::size_t>(j - first_row) * field.columns() +
                           static_cast<std::size_t>(i)];
-      keep_worst(worst, z - field.heights_m(i, j), index, cover);
+      const double delta = z - field.heights_m(i, j);
+      keep_worst(worst, delta, index, cover);
+      largest = std::abs(delta) > largest ? std::abs(delta) : largest;
     }
   }
+  if (triangle_max_m != nullptr) raise_to(*triangle_max_m, largest);
 }
 
 }  // namespace
 
 void for_each_sample_row(const Heightfield& field, const TriangleMesh& mesh,
+                         std::vector<float>* triangle_max_m,
                          const std::function<void(int, std::span<const Deviation>)>& visit) {
   const glm::dvec3 shift = mesh.origin_m - field.world_origin_m();
+  if (triangle_max_m != nullptr) triangle_max_m->assign(mesh.triangles.size(), 0.0f);
   const int bands = (field.rows() + kBandRows - 1) / kBandRows;
   const RowBins bins(mesh, shift.y, kBandRows * field.dy_m, bands, kNearLine * field.dy_m);
   parallel_for(bands, 1, [&](std::int64_t band) {
@@ -94,7 +112,9 @@ void for_each_sample_row(const Heightfield& field, const TriangleMesh& mesh,
     std::vector<Deviation> found(static_cast<std::size_t>(last - first + 1) * field.columns());
     for (const std::uint32_t index : bins.triangles(static_cast<int>(band))) {
       const FlatTriangle t = flat_triangle(mesh, index, shift);
-      if (t.is_flat()) cover_samples(field, t, index, {first, last}, first, found);
+      if (!t.is_flat()) continue;
+      cover_samples(field, t, index, {first, last}, first, found,
+                    triangle_max_m ? &(*triangle_max_m)[index] : nullptr);
     }
     for (int j = first; j <= last; ++j) {
       const auto columns = static_cast<std::size_t>(field.columns());

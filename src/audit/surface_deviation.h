@@ -29,7 +29,10 @@ struct Deviation {
 /// over them.
 ///
 /// mesh  any triangles; vertical ones and those without area cover no place
+/// triangle_max_m  if given, filled with each triangle's largest distance from a sample that it
+/// covers, edges included
 void for_each_sample_row(const terrain::Heightfield& field, const TriangleMesh& mesh,
+                         std::vector<float>* triangle_max_m,
                          const std::function<void(int, std::span<const Deviation>)>& visit);
 
 /// The same at any places of the terrain's plane (x, y, height of the truth there), relative to the
