@@ -1,5 +1,6 @@
 #include "image/image_files.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -28,17 +29,19 @@ std::string one_line(std::string text) {
   input_error("cannot {} '{}': {}", verb, path.string(), one_line(cause));
 }
 
+// Encodes in memory and writes the bytes ourselves: OpenImageIO's PNG writer does not notice a full
+// disk.
 void write(const fs::path& path, const char* format, const OIIO::ImageSpec& spec,
            const void* pixels) {
-  TemporarySibling sibling(path);
   const auto output = OIIO::ImageOutput::create(format);
   if (!output) cannot("write", path, OIIO::geterror());
-  if (!output->open(sibling.path().string(), spec)) cannot("write", path, output->geterror());
-  const bool written = output->write_image(spec.format, pixels);
-  const std::string cause = written ? "" : output->geterror();
-  const bool closed = output->close();
-  if (!written || !closed) cannot("write", path, written ? output->geterror() : cause);
-  sibling.commit();
+  OIIO::Filesystem::IOVecOutput memory;
+  if (!output->set_ioproxy(&memory)) cannot("write", path, "its encoder needs a file");
+  const bool done = output->open(path.string(), spec) && output->write_image(spec.format, pixels) &&
+                    output->close();
+  if (!done) cannot("write", path, output->geterror());
+  const std::vector<unsigned char>& bytes = memory.buffer();
+  write_file_atomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 std::unique_ptr<OIIO::ImageInput> open(const fs::path& path) {
