@@ -76,6 +76,7 @@ double exaggeration(const Grid<double>& means, const glm::dvec2& step_m) {
     for (int x = 0; x < means.columns(); ++x) {
       if (std::isnan(means(x, y))) continue;
       const glm::dvec2 g = gradient_at(means, x, y, step_m);
+      if (g.x == 0.0 && g.y == 0.0) continue;  // a sea would make its island steep
       sum += std::sqrt(g.x * g.x + g.y * g.y);
       ++count;
     }

@@ -127,6 +127,25 @@ TEST(FlatNormals, PointUpwardsFromATerrain) {
   EXPECT_THROW(flat_normals(mesh, hits), std::invalid_argument);
 }
 
+TEST(Shade, GivesTheSameBitsOnAnyNumberOfThreads) {
+  const Camera camera = make_camera({.eye_m = {0, -30, 20}, .width_px = 320, .height_px = 200});
+  TriangleMesh mesh;
+  for (int k = 0; k < 64; ++k) {
+    mesh.vertices_m.push_back({k % 8 * 9.0 - 32, k / 8 * 9.0 - 32, (k * 37 % 11) * 1.0});
+  }
+  for (std::uint32_t k = 0; k + 9 < 64; ++k) {
+    if (k % 8 < 7) mesh.triangles.push_back({k, k + 1, k + 8});
+  }
+  const HitImage hits = rasterise(mesh, camera).image;
+  ShadeOptions options;
+  options.high_m = 10.0;
+  const image::ColourImage first = shade(hits, camera, flat_normals(mesh, hits), options);
+  for (const int threads : {1, 2, 7}) {
+    const ThreadLimit limit(threads);
+    EXPECT_EQ(shade(hits, camera, flat_normals(mesh, hits), options), first);
+  }
+}
+
 TEST(Shade, RefusesShapesAndOptionsOutOfRange) {
   const HitImage hits(3, 4);
   const std::vector<glm::dvec3> normals(12, glm::dvec3(0.0)), few(11, glm::dvec3(0.0));
