@@ -77,11 +77,13 @@
       this.gainInput = make("input", { type: "range", min: "0", max: "6", step: "1", value: "0" });
       this.gainInput.oninput = () => {
         this.gain = 2 ** Number(this.gainInput.value);
+        this.gainText.textContent = ` \u00d7${this.gain}`;
         this.place();
       };
+      this.gainText = make("span", { textContent: " \u00d71" });
       this.flip = make("button", { type: "button", textContent: "Swap", onclick: () => this.swap() });
       this.wipeLabel = make("label", {}, ["Edge ", this.wipeInput]);
-      this.gainLabel = make("label", {}, ["Gain ", this.gainInput]);
+      this.gainLabel = make("label", {}, ["Gain ", this.gainInput, this.gainText]);
       this.readout = make("output", { className: "place", "aria-live": "polite" });
       const toolbar = make("div", { className: "toolbar", role: "toolbar", "aria-label": "Picture controls" }, [
         make("span", { className: "group", role: "group", "aria-label": "Way of comparing" }, this.modeButtons),
@@ -185,7 +187,8 @@
       };
       const a = this.pictures[this.a];
       const b = this.pictures[this.b];
-      const names = `${a.dataset.name} | ${b.dataset.name}`;
+      const between = this.mode === "difference" ? "\u2212" : "|";
+      const names = `${a.dataset.name} ${between} ${b.dataset.name}`;
       if (this.mode === "side") {
         this.panes = [pane(a.dataset.name, [layer(a, "under")]), pane(b.dataset.name, [layer(b, "under")])];
       } else {
