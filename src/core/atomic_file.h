@@ -1,0 +1,40 @@
+// Files that appear whole under their name, or not at all.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace plumb {
+
+/// A name beside `final_path` to write to, and the renaming once it is written.
+///
+/// The temporary name lies in the same folder (so that renaming is one step) and keeps the
+/// extension (so that writers that go by it choose the same format). Whatever was written is
+/// removed when the object dies without `commit`, an exception passing by included.
+///
+///   (1) `final_path` never names a partial file; a file that stood there is replaced or untouched.
+///   (2) A symbolic link is followed: what it names is replaced, the link stays.
+/// Throws InputError with the path if its folder is missing, or if something stands there that is
+/// no regular file (a folder, a device).
+class TemporarySibling {
+ public:
+  explicit TemporarySibling(const std::filesystem::path& final_path);
+  ~TemporarySibling();
+  TemporarySibling(const TemporarySibling&) = delete;
+  TemporarySibling& operator=(const TemporarySibling&) = delete;
+
+  const std::filesystem::path& path() const { return temporary_; }
+  /// Gives the file its final name. Throws InputError if it cannot; once only.
+  void commit();
+
+ private:
+  std::filesystem::path final_;
+  std::filesystem::path temporary_;
+  bool committed_ = false;
+};
+
+/// Writes `bytes` as the whole file `path`. Throws InputError with path and cause; no partial file
+/// is left.
+void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace plumb
