@@ -46,8 +46,7 @@ double number_or_error(const std::string& text, const std::string& name) {
 
 }  // namespace
 
-void Options::argument(std::string& into, const std::string& placeholder,
-                       const std::string& help) {
+void Options::argument(std::string& into, const std::string& placeholder, const std::string& help) {
   parser_.finish(parser_.app->add_option(placeholder, into, help), "")->required();
 }
 
@@ -79,8 +78,8 @@ void Options::choice(std::string& into, const std::string& names,
     }
     return fmt::format("'{}': expected {}", text, fmt::join(words, ", "));
   };
-  parser_.finish(parser_.app->add_option(names, into, help),
-                 fmt::format("{}", fmt::join(words, "|")))
+  parser_
+      .finish(parser_.app->add_option(names, into, help), fmt::format("{}", fmt::join(words, "|")))
       ->check(check);
 }
 
@@ -116,9 +115,7 @@ void Options::flag(bool& into, const std::string& names, const std::string& help
   if (!parser_.heading.empty()) option->group(parser_.heading);
 }
 
-void Options::require_option(const std::string& name) {
-  parser_.app->get_option(name)->required();
-}
+void Options::require_option(const std::string& name) { parser_.app->get_option(name)->required(); }
 
 void Options::group(const std::string& heading) { parser_.heading = heading; }
 

@@ -19,7 +19,8 @@ class Options {
   /// An argument without a dash, which must be given.
   void argument(std::string& into, const std::string& placeholder, const std::string& help);
   /// One that may be left out.
-  void optional_argument(std::string& into, const std::string& placeholder, const std::string& help);
+  void optional_argument(std::string& into, const std::string& placeholder,
+                         const std::string& help);
   /// One or more of them.
   void arguments(std::vector<std::string>& into, const std::string& placeholder,
                  const std::string& help);
