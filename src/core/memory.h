@@ -1,0 +1,15 @@
+// What fits into memory, asked before work starts.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace plumb {
+
+/// Bytes that this process may still use without swapping, as the system states them.
+std::int64_t available_memory_bytes();
+
+/// Throws InputError with the bytes needed and the bytes there unless `bytes` more fit into memory.
+void require_memory(std::int64_t bytes, std::string_view what);
+
+}  // namespace plumb

@@ -1,0 +1,64 @@
+// A tree of boxes that loses none: what a ray or a ball may meet.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "core/box.h"
+#include "reference/ray.h"
+
+namespace plumb::reference {
+
+/// Told which primitives may be met.
+class BoxVisitor {
+ public:
+  virtual ~BoxVisitor() = default;
+  /// Returns the t (for a ball: the radius) beyond which nothing is wanted from now on. Must not
+  /// throw.
+  virtual double visit(std::uint32_t primitive) = 0;
+};
+
+/// Embree's tree of boxes, in single precision, with a margin that makes its answers safe for
+/// arithmetic in double.
+///
+///   (1) Every primitive whose box meets the ray at some t in [t_min, t_max], t_max as the visitor
+///       last gave it, is visited; so is every one whose box meets the ball.
+///   (2) Others may be visited as well. Which, and in what order, depends on the processor: a
+///       visitor's result must not.
+///
+/// Rounding a point of the scene to single precision moves it by 2^-24 of its distance from the
+/// scene's middle, rounding a direction moves the ray's points by 2^-24 of their distance from its
+/// start, and the tests of the boxes round a few times more. Rays start where they enter the
+/// scene's box, computed in double, so that no distance is longer than the box; each box is
+/// widened by 2^-18 of the scene's longest side, which is 64 roundings.
+class BoxTree {
+ public:
+  /// box_of(k), k < count, is called from several threads, and not after the constructor returns;
+  /// boxes are finite and not empty. `instruction_set` is "" for the best there is, or one of
+  /// Embree's: "sse2", "sse4.2", "avx", "avx2", "avx512".
+  /// Throws InputError if the tree cannot fit into memory, std::runtime_error if Embree fails.
+  BoxTree(std::uint32_t count, const std::function<Box(std::uint32_t)>& box_of,
+          const std::string& instruction_set = {});
+  ~BoxTree();
+  BoxTree(BoxTree&&) noexcept;
+  BoxTree& operator=(BoxTree&&) noexcept;
+
+  /// The ray is in the boxes' coordinates; finite, its direction not zero.
+  void visit_ray(const Ray& ray, BoxVisitor& visitor) const;
+  /// radius >= 0, may be infinite; the point is finite.
+  void visit_ball(const glm::dvec3& point, double radius, BoxVisitor& visitor) const;
+
+  /// Around all boxes; empty if there are none.
+  const Box& bounds() const;
+
+  /// Most bytes that building a tree takes.
+  static std::int64_t bytes_needed(std::uint32_t count);
+
+ private:
+  struct Scene;
+  std::unique_ptr<Scene> scene_;
+};
+
+}  // namespace plumb::reference

@@ -1,0 +1,39 @@
+// Embree 3 or 4, whichever is there: the few names that differ. Included by source files alone.
+//
+// Tested with Embree 3.13. The Embree 4 half follows its documentation and has not been run.
+#pragma once
+
+#if __has_include(<embree4/rtcore.h>) && !__has_include(<embree3/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+namespace plumb::reference {
+
+#if RTC_VERSION_MAJOR >= 4
+
+using EmbreeRayContext = RTCRayQueryContext;
+
+inline void start(EmbreeRayContext& context) { rtcInitRayQueryContext(&context); }
+
+inline void intersect(RTCScene scene, EmbreeRayContext& context, RTCRayHit& ray) {
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.context = &context;
+  rtcIntersect1(scene, &ray, &arguments);
+}
+
+#else
+
+using EmbreeRayContext = RTCIntersectContext;
+
+inline void start(EmbreeRayContext& context) { rtcInitIntersectContext(&context); }
+
+inline void intersect(RTCScene scene, EmbreeRayContext& context, RTCRayHit& ray) {
+  rtcIntersect1(scene, &context, &ray);
+}
+
+#endif
+
+}  // namespace plumb::reference

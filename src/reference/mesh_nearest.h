@@ -1,0 +1,47 @@
+// The point of a mesh that is nearest to another point.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/triangle_mesh.h"
+#include "reference/nearest_point.h"
+
+namespace plumb::reference {
+
+/// Nearest points on a mesh: Embree's tree of boxes proposes triangles, double decides.
+///
+///   (1) No other point of the mesh is nearer by more than a few roundings of the coordinates;
+///       triangles at equal distance: the lowest index.
+///   (2) A function of point and mesh alone: the same bits on every instruction set and number of
+///       threads.
+/// Points are relative to the mesh's origin, so that UTM coordinates cost no digits.
+class MeshNearest {
+ public:
+  /// Keeps a reference to the mesh. Throws std::invalid_argument unless its corners are vertices
+  /// and its vertices finite, InputError if memory does not suffice.
+  explicit MeshNearest(const TriangleMesh& mesh);
+  explicit MeshNearest(TriangleMesh&&) = delete;
+  ~MeshNearest();
+  MeshNearest(MeshNearest&&) noexcept;
+  MeshNearest& operator=(MeshNearest&&) noexcept;
+
+  /// Points farther than max_radius_m are not looked for. Throws std::invalid_argument unless the
+  /// point is finite and max_radius_m >= 0.
+  NearestPoint nearest(const glm::dvec3& point_m,
+                       double max_radius_m = std::numeric_limits<double>::infinity()) const;
+  /// The same for many points, in parallel.
+  std::vector<NearestPoint> nearest(
+      std::span<const glm::dvec3> points_m,
+      double max_radius_m = std::numeric_limits<double>::infinity()) const;
+
+ private:
+  struct Scene;
+  std::unique_ptr<const Scene> scene_;
+};
+
+}  // namespace plumb::reference
