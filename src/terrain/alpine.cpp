@@ -1,6 +1,7 @@
 #include "terrain/alpine.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "terrain/gradient_noise.h"
 

@@ -1,7 +1,6 @@
 // Smooth noise from a hash of whole numbers: no table, no state, the same bits everywhere.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 
 namespace plumb::terrain {
@@ -19,30 +18,28 @@ inline std::uint32_t lattice_hash(std::int64_t x, std::int64_t y, std::uint64_t 
 /// sixteen directions 22.5 degrees apart.
 inline double lattice_slope(std::int64_t x, std::int64_t y, std::uint64_t seed, double dx,
                             double dy) {
-  static constexpr double kCosine[5] = {1.0, 0.92387953251128674, 0.70710678118654752,
-                                        0.38268343236508977, 0.0};
-  const std::uint32_t hash = lattice_hash(x, y, seed) >> 28;
-  const std::uint32_t step = hash & 3u;  // within a quadrant
-  const double c = kCosine[step], s = kCosine[4u - step];
-  switch (hash >> 2) {  // turned by a quarter each
-    case 0:
-      return c * dx + s * dy;
-    case 1:
-      return c * dy - s * dx;
-    case 2:
-      return -(c * dx + s * dy);
-    default:
-      return s * dx - c * dy;
-  }
+  static constexpr double k1 = 0.92387953251128674, k2 = 0.70710678118654752,
+                          k3 = 0.38268343236508977;
+  static constexpr double kX[16] = {1.0,  k1,  k2,  k3,  0.0, -k3, -k2, -k1,
+                                    -1.0, -k1, -k2, -k3, 0.0, k3,  k2,  k1};
+  static constexpr double kY[16] = {0.0, k3,  k2,  k1,  1.0,  k1,  k2,  k3,
+                                    0.0, -k3, -k2, -k1, -1.0, -k1, -k2, -k3};
+  const std::uint32_t direction = lattice_hash(x, y, seed) >> 28;
+  return kX[direction] * dx + kY[direction] * dy;
+}
+
+/// The largest whole number that is not above x, |x| < 2^52 (without the library's call).
+inline std::int64_t floor_to_integer(double x) {
+  const auto towards_zero = static_cast<std::int64_t>(x);
+  return towards_zero - (static_cast<double>(towards_zero) > x ? 1 : 0);
 }
 
 /// Gradient noise at (x, y), |x| and |y| below 2^52: twice continuously differentiable, 0 at every
 /// lattice point, within [-1, 1].
 /// Source: [Perlin 2002], with a hash in place of the permutation table.
 inline double gradient_noise(double x, double y, std::uint64_t seed) {
-  const double x0 = std::floor(x), y0 = std::floor(y);
-  const auto i = static_cast<std::int64_t>(x0), j = static_cast<std::int64_t>(y0);
-  const double u = x - x0, v = y - y0;
+  const std::int64_t i = floor_to_integer(x), j = floor_to_integer(y);
+  const double u = x - static_cast<double>(i), v = y - static_cast<double>(j);
   const auto fade = [](double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); };
   const double s = fade(u), t = fade(v);
   const double south_west = lattice_slope(i, j, seed, u, v);
