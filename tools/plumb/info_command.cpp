@@ -82,8 +82,8 @@ void add_measures(Rows& rows, const Heightfield& field, const TerrainStatistics&
   rows.push_back({"highest", fmt::format("{:.7g} m at {}", found.highest.height_m,
                                          place_text(field, found.highest.i, found.highest.j))});
   rows.push_back({"mean", fmt::format("{:.7g} m", found.mean_m)});
-  rows.push_back({"slope", fmt::format("{:.2f} degrees in the mean, {:.2f} at most",
-                                       found.mean_slope_deg, found.largest_slope_deg)});
+  rows.push_back({"slope", fmt::format("{:.2f} degrees (root mean square), {:.2f} at most",
+                                       found.rms_slope_deg, found.largest_slope_deg)});
   const terrain::NeighbourStep& step = found.steepest_step;
   rows.push_back(
       {"step", fmt::format("{:.6g} m between neighbours at most, {:.2f} degrees, at {}",
@@ -168,7 +168,7 @@ std::string info_json(const Heightfield& field, const TerrainStatistics& found,
     json["steepest_step"].update(place_json(field, step.i, step.j));
   }
   json["slopes"] = {{"cells", found.cells},
-                    {"mean_deg", found.mean_slope_deg},
+                    {"rms_deg", found.rms_slope_deg},
                     {"largest_deg", found.largest_slope_deg},
                     {"bin_width_deg", terrain::kSlopeBinWidth_deg},
                     {"histogram", found.slope_histogram}};

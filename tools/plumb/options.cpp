@@ -44,6 +44,17 @@ double number_or_error(const std::string& text, const std::string& name) {
   input_error("{} (see '{} --help')", message, place);
 }
 
+// What is said of an argument that nothing asked for.
+std::string stray(const std::string& argument, const std::string& command,
+                  const std::vector<Command>& commands) {
+  if (argument.size() > 1 && argument[0] == '-')
+    return fmt::format("unknown option '{}'", argument);
+  if (!command.empty()) return fmt::format("unexpected argument '{}'", argument);
+  std::vector<std::string> names;
+  for (const Command& known : commands) names.push_back(known.name);
+  return fmt::format("unknown command '{}', there are: {}", argument, fmt::join(names, ", "));
+}
+
 }  // namespace
 
 void Options::argument(std::string& into, const std::string& placeholder, const std::string& help) {
@@ -152,7 +163,8 @@ Request read_command_line(const std::vector<Command>& commands, const Invocation
     request.answer = chosen().empty() ? app.help() : app.get_subcommand(chosen())->help("plumb");
     return request;
   } catch (const CLI::ParseError& error) {
-    usage_error(error.what(), chosen());
+    const std::vector<std::string> left = app.remaining(true);
+    usage_error(left.empty() ? error.what() : stray(left.front(), chosen(), commands), chosen());
   }
   for (const Declared& entry : declared) {
     if (entry.app->parsed()) request.action = entry.action;
