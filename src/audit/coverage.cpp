@@ -14,7 +14,8 @@ constexpr int kRaysPerPixel = 4;           // along each axis, where a defect is
 constexpr double kSameDepth = 1e-6;        // relative; two casts of one point
 constexpr double kNearlySameDepth = 1e-3;  // relative; neighbouring rays of one slope
 
-// What the truth shows within the band around a pixel: its least and greatest depth, kNoHit for sky.
+// What the truth shows within the band around a pixel: its least and greatest depth, kNoHit for
+// sky.
 struct Neighbourhood {
   double nearest, deepest;
   bool all_hit() const { return deepest < kNoHit; }
@@ -54,48 +55,58 @@ std::vector<Neighbourhood> neighbourhoods(const HitImage& image, int radius) {
 
 // Casts truth rays all over the band around a pixel until one satisfies `wanted(hit)`.
 template <class Wanted>
-bool any_ray_between(const HeightfieldTruth& truth, const Camera& camera, int x, int y, int radius, const Wanted& wanted) {
+bool any_ray_between(const HeightfieldTruth& truth, const Camera& camera, int x, int y, int radius,
+                     const Wanted& wanted) {
   const int rays = (2 * radius + 1) * kRaysPerPixel;
   for (int b = 0; b < rays; ++b) {
     for (int a = 0; a < rays; ++a) {
-      const double px = x - radius + (a + 0.5) / kRaysPerPixel, py = y - radius + (b + 0.5) / kRaysPerPixel;
+      const double px = x - radius + (a + 0.5) / kRaysPerPixel,
+                   py = y - radius + (b + 0.5) / kRaysPerPixel;
       if (wanted(truth.caster.cast(truth.caster.camera_ray(camera, px, py)))) return true;
     }
   }
   return false;
 }
 
-// True if the truth above or below the drawn point is seen from the eye: then the surface is displaced, not torn.
-bool counterpart_is_visible(const HeightfieldTruth& truth, const Camera& local, const glm::dvec3& drawn_point) {
+// True if the truth above or below the drawn point is seen from the eye: then the surface is
+// displaced, not torn.
+bool counterpart_is_visible(const HeightfieldTruth& truth, const Camera& local,
+                            const glm::dvec3& drawn_point) {
   const double height = truth.height_at(drawn_point.x, drawn_point.y);
   if (std::isnan(height)) return false;
   const glm::dvec3 view = to_view(local, {drawn_point.x, drawn_point.y, height});
   if (!(view.z > local.near_m)) return false;
-  reference::Ray ray{local.eye_m, glm::dvec3(drawn_point.x, drawn_point.y, height) - local.eye_m, 0.0, 2.0};
+  reference::Ray ray{local.eye_m, glm::dvec3(drawn_point.x, drawn_point.y, height) - local.eye_m,
+                     0.0, 2.0};
   ray.t_min = local.near_m / view.z;
   const reference::RayHit hit = truth.caster.cast(ray);
   return hit && hit.t >= 1.0 - kSameDepth;
 }
 
-DefectKind judge(const HeightfieldTruth& truth, const HitImage& true_hits, const HitImage& drawn, const Camera& camera,
-                 const Camera& local, int x, int y, int radius, const Neighbourhood& n) {
+DefectKind judge(const HeightfieldTruth& truth, const HitImage& true_hits, const HitImage& drawn,
+                 const Camera& camera, const Camera& local, int x, int y, int radius,
+                 const Neighbourhood& n) {
   const std::size_t pixel = drawn.index(x, y);
   if (n.all_hit() && !drawn.hit(pixel)) {
-    const bool sky_between = any_ray_between(truth, camera, x, y, radius, [](const reference::RayHit& hit) { return !hit; });
+    const bool sky_between = any_ray_between(truth, camera, x, y, radius,
+                                             [](const reference::RayHit& hit) { return !hit; });
     return sky_between ? DefectKind::None : DefectKind::Hole;
   }
   if (n.all_miss() && drawn.hit(pixel)) {
     const bool land_between =
-        any_ray_between(truth, camera, x, y, radius, [](const reference::RayHit& hit) { return static_cast<bool>(hit); });
+        any_ray_between(truth, camera, x, y, radius,
+                        [](const reference::RayHit& hit) { return static_cast<bool>(hit); });
     return land_between ? DefectKind::None : DefectKind::Overshoot;
   }
   if (!drawn.hit(pixel) || !true_hits.hit(pixel) || n.deepest == kNoHit) return DefectKind::None;
   const double depth = drawn.depth_m[pixel];
   if (depth <= n.deepest * (1.0 + kSameDepth)) return DefectKind::None;
-  if (counterpart_is_visible(truth, local, local.eye_m + drawn.from_eye_m[pixel])) return DefectKind::None;
-  const bool as_deep = any_ray_between(truth, camera, x, y, radius, [&](const reference::RayHit& hit) {
-    return !hit || hit.t >= depth * (1.0 - kNearlySameDepth);
-  });
+  if (counterpart_is_visible(truth, local, local.eye_m + drawn.from_eye_m[pixel]))
+    return DefectKind::None;
+  const bool as_deep =
+      any_ray_between(truth, camera, x, y, radius, [&](const reference::RayHit& hit) {
+        return !hit || hit.t >= depth * (1.0 - kNearlySameDepth);
+      });
   return as_deep ? DefectKind::None : DefectKind::SeeThrough;
 }
 
@@ -122,13 +133,15 @@ void name_patches(CoverageDefect& defect, const HitImage& drawn, const DrawnSurf
   }
 }
 
-void count_and_list(Coverage& coverage, const HitImage& true_hits, const HitImage& drawn, const DrawnSurface& surface,
-                    int most_listed) {
+void count_and_list(Coverage& coverage, const HitImage& true_hits, const HitImage& drawn,
+                    const DrawnSurface& surface, int most_listed) {
   for (int y = 0; y < drawn.height_px; ++y) {
     for (int x = 0; x < drawn.width_px; ++x) {
       const std::size_t pixel = drawn.index(x, y);
       const Demand demand = coverage.demand[pixel];
-      ++(demand == Demand::Terrain ? coverage.must_be_terrain : demand == Demand::Sky ? coverage.must_be_sky : coverage.either);
+      ++(demand == Demand::Terrain ? coverage.must_be_terrain
+         : demand == Demand::Sky   ? coverage.must_be_sky
+                                   : coverage.either);
       const DefectKind kind = coverage.defects[pixel];
       if (kind == DefectKind::None) continue;
       auto& count = kind == DefectKind::Hole        ? coverage.holes
@@ -146,16 +159,21 @@ void count_and_list(Coverage& coverage, const HitImage& true_hits, const HitImag
 
 const char* name_of(DefectKind kind) {
   switch (kind) {
-    case DefectKind::None: return "none";
-    case DefectKind::Hole: return "hole";
-    case DefectKind::Overshoot: return "overshoot";
-    case DefectKind::SeeThrough: return "see-through";
+    case DefectKind::None:
+      return "none";
+    case DefectKind::Hole:
+      return "hole";
+    case DefectKind::Overshoot:
+      return "overshoot";
+    case DefectKind::SeeThrough:
+      return "see-through";
   }
   return "?";
 }
 
-Coverage coverage_of(const HeightfieldTruth& truth, const HitImage& true_hits, const HitImage& drawn, const Camera& camera,
-                     const DrawnSurface& surface, double tolerance_px, int most_listed) {
+Coverage coverage_of(const HeightfieldTruth& truth, const HitImage& true_hits,
+                     const HitImage& drawn, const Camera& camera, const DrawnSurface& surface,
+                     double tolerance_px, int most_listed) {
   Coverage coverage;
   coverage.band_px = static_cast<int>(std::clamp(std::ceil(tolerance_px), 1.0, 64.0));
   coverage.demand.assign(drawn.size(), Demand::Either);
@@ -169,7 +187,8 @@ Coverage coverage_of(const HeightfieldTruth& truth, const HitImage& true_hits, c
       const Neighbourhood& n = bands[pixel];
       if (n.all_hit()) coverage.demand[pixel] = Demand::Terrain;
       if (n.all_miss()) coverage.demand[pixel] = Demand::Sky;
-      coverage.defects[pixel] = judge(truth, true_hits, drawn, camera, local, x, y, coverage.band_px, n);
+      coverage.defects[pixel] =
+          judge(truth, true_hits, drawn, camera, local, x, y, coverage.band_px, n);
     }
   });
   count_and_list(coverage, true_hits, drawn, surface, most_listed);

@@ -18,7 +18,8 @@ struct Sums {
   double max_finite = 0.0, squares = 0.0;
 };
 
-// How many values fall into each of the 65536 classes that `class_of` names; a negative class is none.
+// How many values fall into each of the 65536 classes that `class_of` names; a negative class is
+// none.
 template <class ClassOf>
 Histogram count_classes(const std::vector<float>& values, const ClassOf& class_of) {
   const auto accumulate = [&](std::int64_t begin, std::int64_t end, Histogram counts) {
@@ -35,18 +36,22 @@ Histogram count_classes(const std::vector<float>& values, const ClassOf& class_o
     return a;
   };
   const auto size = static_cast<std::int64_t>(values.size());
-  return parallel_ordered_reduce(size, std::max<std::int64_t>(kGrain, size / 16), Histogram{}, accumulate, join);
+  return parallel_ordered_reduce(size, std::max<std::int64_t>(kGrain, size / 16), Histogram{},
+                                 accumulate, join);
 }
 
 // Bits of floats >= 0 (and +inf) order as the floats do.
-std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value == 0.0f ? 0.0f : value); }
+std::uint32_t bits(float value) {
+  return std::bit_cast<std::uint32_t>(value == 0.0f ? 0.0f : value);
+}
 
 // The value of the given rank (from 0), found by its upper and then its lower sixteen bits.
 double value_of_rank(const std::vector<float>& values, const Histogram& upper, std::int64_t rank) {
   std::uint32_t high = 0;
   for (; upper[high] <= rank; ++high) rank -= upper[high];
   const Histogram lower = count_classes(values, [&](float value) {
-    return std::isnan(value) || bits(value) >> 16 != high ? -1 : static_cast<int>(bits(value) & 0xffffu);
+    return std::isnan(value) || bits(value) >> 16 != high ? -1
+                                                          : static_cast<int>(bits(value) & 0xffffu);
   });
   std::uint32_t low = 0;
   for (; lower[low] <= rank; ++low) rank -= lower[low];
@@ -73,7 +78,8 @@ Distribution distribution_of(const std::vector<float>& values) {
         return s;
       },
       [](Sums a, const Sums& b) {
-        return Sums{a.count + b.count, a.infinite + b.infinite, std::max(a.max_finite, b.max_finite), a.squares + b.squares};
+        return Sums{a.count + b.count, a.infinite + b.infinite,
+                    std::max(a.max_finite, b.max_finite), a.squares + b.squares};
       });
   Distribution d;
   d.count = sums.count;
@@ -81,10 +87,13 @@ Distribution distribution_of(const std::vector<float>& values) {
   if (d.count == 0) return d;
   d.max_finite = sums.max_finite;
   d.max = d.infinite > 0 ? std::numeric_limits<double>::infinity() : d.max_finite;
-  if (d.count > d.infinite) d.rms = std::sqrt(sums.squares / static_cast<double>(d.count - d.infinite));
-  const Histogram upper =
-      count_classes(values, [](float value) { return std::isnan(value) ? -1 : static_cast<int>(bits(value) >> 16); });
-  // Nearest rank: the smallest value that at least `share` of all values do not exceed; share as thousandths, exactly.
+  if (d.count > d.infinite)
+    d.rms = std::sqrt(sums.squares / static_cast<double>(d.count - d.infinite));
+  const Histogram upper = count_classes(values, [](float value) {
+    return std::isnan(value) ? -1 : static_cast<int>(bits(value) >> 16);
+  });
+  // Nearest rank: the smallest value that at least `share` of all values do not exceed; share as
+  // thousandths, exactly.
   const auto percentile = [&](std::int64_t thousandths) {
     return value_of_rank(values, upper, (d.count * thousandths + 999) / 1000 - 1);
   };

@@ -6,7 +6,8 @@
 
 namespace plumb::audit {
 
-/// Figures of a set of errors >= 0. Percentiles are nearest-rank over all values; an infinite error counts as the largest.
+/// Figures of a set of errors >= 0. Percentiles are nearest-rank over all values; an infinite error
+/// counts as the largest.
 struct Distribution {
   std::int64_t count = 0;
   std::int64_t infinite = 0;  // of them +inf: no counterpart, or behind the eye
@@ -16,9 +17,9 @@ struct Distribution {
   double p50 = 0.0, p95 = 0.0, p99 = 0.0, p999 = 0.0;
 };
 
-/// `values` >= 0 or +inf; NaN entries are no values and skipped. Percentiles of float32 values are exact; max and rms of
-/// doubles that were rounded to float32 on the way are those of the rounded ones, so callers keep their exact maximum.
-/// The same bits on any number of threads.
+/// `values` >= 0 or +inf; NaN entries are no values and skipped. Percentiles of float32 values are
+/// exact; max and rms of doubles that were rounded to float32 on the way are those of the rounded
+/// ones, so callers keep their exact maximum. The same bits on any number of threads.
 Distribution distribution_of(const std::vector<float>& values);
 
 }  // namespace plumb::audit

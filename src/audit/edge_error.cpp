@@ -14,7 +14,9 @@ namespace {
 constexpr glm::dvec3 kUp{0.0, 0.0, 1.0};
 constexpr double kOnLine = 1e-9;  // cells
 
-bool on_sample(double u, double v) { return std::abs(u - std::round(u)) < kOnLine && std::abs(v - std::round(v)) < kOnLine; }
+bool on_sample(double u, double v) {
+  return std::abs(u - std::round(u)) < kOnLine && std::abs(v - std::round(v)) < kOnLine;
+}
 
 class EdgeWalk {
  public:
@@ -22,11 +24,13 @@ class EdgeWalk {
 
   void edge(const glm::dvec3& p, const glm::dvec3& q, std::uint32_t triangle, EdgeErrors& errors) {
     const terrain::Heightfield& field = truth_.field();
-    const double pu = p.x / field.dx_m, pv = p.y / field.dy_m, du = q.x / field.dx_m - pu, dv = q.y / field.dy_m - pv;
+    const double pu = p.x / field.dx_m, pv = p.y / field.dy_m, du = q.x / field.dx_m - pu,
+                 dv = q.y / field.dy_m - pv;
     const bool from_sample = on_sample(pu, pv), to_sample = on_sample(pu + du, pv + dv);
     if (!from_sample) look(p, triangle, errors);
     if (from_sample && to_sample && std::abs(du) < 1.5 && std::abs(dv) < 1.5) {
-      // From sample to neighbouring sample: only a cell's other diagonal can cross it, in the middle.
+      // From sample to neighbouring sample: only a cell's other diagonal can cross it, in the
+      // middle.
       if (std::abs(du) > 0.5 && std::abs(dv) > 0.5) look(0.5 * (p + q), triangle, errors);
       return;
     }
@@ -39,8 +43,10 @@ class EdgeWalk {
       const double from = shares_[k], to = shares_[k + 1];
       if (k > 0) look(p + from * (q - p), triangle, errors);
       const double middle = 0.5 * (from + to);
-      const int i = static_cast<int>(std::floor(pu + middle * du)), j = static_cast<int>(std::floor(pv + middle * dv));
-      // On the cell's diagonal (u - i) -+ (v - j) is 0 or 1; both ends on it means that the edge runs along it.
+      const int i = static_cast<int>(std::floor(pu + middle * du)),
+                j = static_cast<int>(std::floor(pv + middle * dv));
+      // On the cell's diagonal (u - i) -+ (v - j) is 0 or 1; both ends on it means that the edge
+      // runs along it.
       const bool rises = rises_north_east(truth_.diagonal(), i, j);
       const auto side = [&](double share) {
         const double a = pu + share * du - i, b = pv + share * dv - j;
@@ -57,7 +63,8 @@ class EdgeWalk {
   void add_lines(double from, double step) {
     if (std::abs(step) < kOnLine) return;
     const double low = std::min(from, from + step), high = std::max(from, from + step);
-    for (double line = std::floor(low) + 1.0; line < high; line += 1.0) shares_.push_back((line - from) / step);
+    for (double line = std::floor(low) + 1.0; line < high; line += 1.0)
+      shares_.push_back((line - from) / step);
   }
 
   void look(const glm::dvec3& drawn, std::uint32_t triangle, EdgeErrors& errors) {
@@ -102,7 +109,8 @@ EdgeErrors worse(EdgeErrors a, const EdgeErrors& b) {
 
 }  // namespace
 
-EdgeErrors edge_errors(const HeightfieldTruth& truth, const DrawnSurface& surface, const Camera& camera) {
+EdgeErrors edge_errors(const HeightfieldTruth& truth, const DrawnSurface& surface,
+                       const Camera& camera) {
   const Camera local = relative_to(camera, truth.field().world_origin_m());
   const TriangleMesh& mesh = *surface.mesh;
   const glm::dvec3 shift = mesh.origin_m - truth.field().world_origin_m();
@@ -114,7 +122,8 @@ EdgeErrors edge_errors(const HeightfieldTruth& truth, const DrawnSurface& surfac
           const Triangle& corners = mesh.triangles[static_cast<std::size_t>(t)];
           std::array<glm::dvec3, 3> p;
           for (std::size_t k = 0; k < 3; ++k) p[k] = mesh.vertices_m[corners[k]] + shift;
-          for (std::size_t k = 0; k < 3; ++k) walk.edge(p[k], p[(k + 1) % 3], static_cast<std::uint32_t>(t), errors);
+          for (std::size_t k = 0; k < 3; ++k)
+            walk.edge(p[k], p[(k + 1) % 3], static_cast<std::uint32_t>(t), errors);
         }
         return errors;
       },

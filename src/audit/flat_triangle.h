@@ -14,8 +14,8 @@ enum class Cover { Outside, Edge, Inside };
 
 /// Corners in the terrain's coordinates, turned counter-clockwise as seen from above.
 ///
-/// A place counts as on an edge if it lies nearer to it than rounding can tell, so that no place falls between two
-/// triangles that share an edge; it is then evaluated on the edge, never beyond.
+/// A place counts as on an edge if it lies nearer to it than rounding can tell, so that no place
+/// falls between two triangles that share an edge; it is then evaluated on the edge, never beyond.
 struct FlatTriangle {
   glm::dvec3 a, b, c;
   double area;   // twice the area in the plane, square metres, >= 0
@@ -27,10 +27,12 @@ struct FlatTriangle {
       std::swap(b, c);
       area = -area;
     }
-    const double reach = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y), std::abs(c.x), std::abs(c.y)});
-    const double length = std::max({a.x, b.x, c.x}) - std::min({a.x, b.x, c.x}) + std::max({a.y, b.y, c.y}) -
-                          std::min({a.y, b.y, c.y});
-    // Differences round by half an ulp of the coordinates, products by as much again; eight terms at most.
+    const double reach = std::max(
+        {std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y), std::abs(c.x), std::abs(c.y)});
+    const double length = std::max({a.x, b.x, c.x}) - std::min({a.x, b.x, c.x}) +
+                          std::max({a.y, b.y, c.y}) - std::min({a.y, b.y, c.y});
+    // Differences round by half an ulp of the coordinates, products by as much again; eight terms
+    // at most.
     slack = 8.0 * std::numeric_limits<double>::epsilon() * reach * length;
   }
 

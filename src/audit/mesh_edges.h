@@ -11,12 +11,13 @@ namespace plumb::audit {
 
 /// One side of a triangle.
 struct HalfEdge {
-  std::uint32_t high;            // the greater of its two vertices; the lesser one is the bucket's
+  std::uint32_t high;  // the greater of its two vertices; the lesser one is the bucket's
   std::uint32_t triangle;
   bool rising;  // the triangle runs from the lesser vertex to the greater one
 };
 
-/// Half-edges sorted by lesser vertex, then greater vertex, then triangle. Sides of no length are left out.
+/// Half-edges sorted by lesser vertex, then greater vertex, then triangle. Sides of no length are
+/// left out.
 class MeshEdges {
  public:
   explicit MeshEdges(const TriangleMesh& mesh);

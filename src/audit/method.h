@@ -28,13 +28,15 @@ struct MethodChoice {
 };
 
 struct Method {
-  std::string name;                                                      // with hyphens, as on the command line
-  std::string summary;                                                   // one line
-  std::vector<std::string> variants;                                     // the default first; one for a method with a single variant
-  std::vector<Unit> tolerance_units;                                     // in which it can promise
-  terrain::Diagonal truth = terrain::Diagonal::Alternating;              // the full-detail surface that it approximates
-  std::vector<std::pair<std::string, std::string>> parameters;           // names and what they mean
-  std::function<std::unique_ptr<PreparedMethod>(const terrain::Heightfield&, const MethodChoice&)> prepare;
+  std::string name;                   // with hyphens, as on the command line
+  std::string summary;                // one line
+  std::vector<std::string> variants;  // the default first; one for a method with a single variant
+  std::vector<Unit> tolerance_units;  // in which it can promise
+  terrain::Diagonal truth =
+      terrain::Diagonal::Alternating;  // the full-detail surface that it approximates
+  std::vector<std::pair<std::string, std::string>> parameters;  // names and what they mean
+  std::function<std::unique_ptr<PreparedMethod>(const terrain::Heightfield&, const MethodChoice&)>
+      prepare;
 };
 
 using MethodTable = std::vector<Method>;
@@ -62,9 +64,11 @@ const MethodTable& built_in_methods();
 /// Throws InputError naming the known ones.
 const Method& find_method(const MethodTable& table, const std::string& name);
 
-/// Prepares a method after checking the choice against its row: throws InputError for a variant, a parameter or a unit of
-/// tolerance that it does not have.
-std::unique_ptr<PreparedMethod> prepare_method(const Method& method, const terrain::Heightfield& field,
-                                               const MethodChoice& choice, const Tolerance& tolerance);
+/// Prepares a method after checking the choice against its row: throws InputError for a variant, a
+/// parameter or a unit of tolerance that it does not have.
+std::unique_ptr<PreparedMethod> prepare_method(const Method& method,
+                                               const terrain::Heightfield& field,
+                                               const MethodChoice& choice,
+                                               const Tolerance& tolerance);
 
 }  // namespace plumb::audit

@@ -28,7 +28,8 @@ Worst worse(const Worst& a, const Worst& b) {
   return result;
 }
 
-// measure(pixel, vertical_m) -> error in pixels and the point's pixels per metre, for pixels where shown(pixel).
+// measure(pixel, vertical_m) -> error in pixels and the point's pixels per metre, for pixels where
+// shown(pixel).
 template <class Shown, class Measure>
 PixelErrors measure_pixels(std::size_t size, const Shown& shown, const Measure& measure) {
   PixelErrors errors;
@@ -59,7 +60,8 @@ PixelErrors measure_pixels(std::size_t size, const Shown& shown, const Measure& 
 
 }  // namespace
 
-PixelErrors vertical_errors(const HeightfieldTruth& truth, const HitImage& drawn, const Camera& camera) {
+PixelErrors vertical_errors(const HeightfieldTruth& truth, const HitImage& drawn,
+                            const Camera& camera) {
   const Camera local = relative_to(camera, truth.field().world_origin_m());
   return measure_pixels(
       drawn.size(), [&](std::size_t pixel) { return drawn.hit(pixel); },
@@ -74,8 +76,8 @@ PixelErrors vertical_errors(const HeightfieldTruth& truth, const HitImage& drawn
       });
 }
 
-PixelErrors reverse_vertical_errors(const HeightfieldTruth& truth, const HitImage& true_hits, const TriangleMesh& mesh,
-                                    const Camera& camera) {
+PixelErrors reverse_vertical_errors(const HeightfieldTruth& truth, const HitImage& true_hits,
+                                    const TriangleMesh& mesh, const Camera& camera) {
   const Camera local = relative_to(camera, truth.field().world_origin_m());
   std::vector<glm::dvec3> places;
   std::vector<std::uint32_t> place_of(true_hits.size(), kNoPrimitive);
@@ -103,24 +105,28 @@ std::vector<float> depth_errors(const HitImage& true_hits, const HitImage& drawn
   parallel_for(static_cast<std::int64_t>(drawn.size()), kGrain, [&](std::int64_t k) {
     const auto pixel = static_cast<std::size_t>(k);
     if (!drawn.hit(pixel) || !true_hits.hit(pixel)) return;
-    errors[pixel] = static_cast<float>(std::abs(drawn.depth_m[pixel] - true_hits.depth_m[pixel]) / true_hits.depth_m[pixel]);
+    errors[pixel] = static_cast<float>(std::abs(drawn.depth_m[pixel] - true_hits.depth_m[pixel]) /
+                                       true_hits.depth_m[pixel]);
   });
   return errors;
 }
 
-std::vector<float> normal_errors_deg(const HeightfieldTruth& truth, const HitImage& true_hits, const TriangleMesh& mesh,
-                                     const HitImage& drawn) {
+std::vector<float> normal_errors_deg(const HeightfieldTruth& truth, const HitImage& true_hits,
+                                     const TriangleMesh& mesh, const HitImage& drawn) {
   std::vector<float> errors(drawn.size(), kNothing);
   parallel_for(static_cast<std::int64_t>(drawn.size()), kGrain, [&](std::int64_t k) {
     const auto pixel = static_cast<std::size_t>(k);
     if (!drawn.hit(pixel) || !true_hits.hit(pixel)) return;
-    const glm::dvec3 expected = reference::triangle_normal(truth.field(), truth.diagonal(), true_hits.primitive[pixel]);
+    const glm::dvec3 expected =
+        reference::triangle_normal(truth.field(), truth.diagonal(), true_hits.primitive[pixel]);
     const Triangle& t = mesh.triangles[drawn.primitive[pixel]];
-    glm::dvec3 normal = area_normal(mesh.vertices_m[t[0]], mesh.vertices_m[t[1]], mesh.vertices_m[t[2]]);
+    glm::dvec3 normal =
+        area_normal(mesh.vertices_m[t[0]], mesh.vertices_m[t[1]], mesh.vertices_m[t[2]]);
     if (normal.z < 0.0) normal = -normal;  // a sheet has two sides
     const glm::dvec3 across = glm::cross(expected, normal);
     const double sine = std::sqrt(glm::dot(across, across));
-    errors[pixel] = static_cast<float>(degrees(reproducible_atan2(sine, glm::dot(expected, normal))));
+    errors[pixel] =
+        static_cast<float>(degrees(reproducible_atan2(sine, glm::dot(expected, normal))));
   });
   return errors;
 }

@@ -9,8 +9,9 @@
 
 namespace plumb::audit {
 
-/// For each band of `band_m` metres from y = 0 northwards, the triangles that touch it, by index. Triangles that reach
-/// beyond the first or last band are in those; their y is counted relative to the terrain's origin.
+/// For each band of `band_m` metres from y = 0 northwards, the triangles that touch it, by index.
+/// Triangles that reach beyond the first or last band are in those; their y is counted relative to
+/// the terrain's origin.
 class RowBins {
  public:
   /// shift_y_m is added to every vertex; slack_m widens each triangle both ways.

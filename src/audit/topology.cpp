@@ -15,7 +15,8 @@
 namespace plumb::audit {
 namespace {
 
-constexpr double kBeside = 1e-6;  // cells: how far from an edge to look for the surface on either side of it
+constexpr double kBeside =
+    1e-6;  // cells: how far from an edge to look for the surface on either side of it
 
 struct OpenEdge {
   std::uint32_t low, high, triangle;
@@ -46,7 +47,8 @@ class Examination {
 
   void list(const char* kind, const glm::dvec3& at, std::uint32_t triangle) {
     if (++listed_[kind] > most_listed_) return;
-    result_.listed.push_back({kind, at, triangle, triangle == kNoPrimitive ? -1 : patch_of(surface_, triangle)});
+    result_.listed.push_back(
+        {kind, at, triangle, triangle == kNoPrimitive ? -1 : patch_of(surface_, triangle)});
   }
 
   void examine_triangles() {
@@ -80,9 +82,11 @@ class Examination {
         }
       } else if (count > 2 || sides[k].rising == sides[k + 1].rising) {
         ++result_.non_manifold_edges;
-        list("non-manifold edge", 0.5 * (position(low) + position(sides[k].high)), sides[k].triangle);
+        list("non-manifold edge", 0.5 * (position(low) + position(sides[k].high)),
+             sides[k].triangle);
       } else if (!surface_.triangle_lod.empty()) {
-        const int jump = surface_.triangle_lod[sides[k].triangle] - surface_.triangle_lod[sides[k + 1].triangle];
+        const int jump =
+            surface_.triangle_lod[sides[k].triangle] - surface_.triangle_lod[sides[k + 1].triangle];
         result_.largest_lod_jump = std::max(result_.largest_lod_jump, std::abs(jump));
       }
       k = end;
@@ -98,7 +102,8 @@ class Examination {
     const glm::dvec2 beside{-d.y / length * step, d.x / length * step};
     for (const double share : {0.5, 0.25, 0.75}) {
       const double x = a.x + share * d.x, y = a.y + share * d.y;
-      if (inside_terrain(x + beside.x, y + beside.y) && inside_terrain(x - beside.x, y - beside.y)) return true;
+      if (inside_terrain(x + beside.x, y + beside.y) && inside_terrain(x - beside.x, y - beside.y))
+        return true;
     }
     return false;
   }
@@ -121,7 +126,8 @@ class Examination {
     std::vector<char> broken(mesh_.vertices_m.size(), 0);
     parallel_for(static_cast<std::int64_t>(broken.size()), 4096, [&](std::int64_t k) {
       const auto v = static_cast<std::size_t>(k);
-      broken[v] = fans_at(static_cast<std::uint32_t>(v), {around.data() + start[v], start[v + 1] - start[v]}) > 1;
+      broken[v] = fans_at(static_cast<std::uint32_t>(v),
+                          {around.data() + start[v], start[v + 1] - start[v]}) > 1;
     });
     for (std::uint32_t v = 0; v < broken.size(); ++v) {
       if (broken[v] == 0 || is_pinch_of_terrain(v)) continue;
@@ -130,7 +136,8 @@ class Examination {
     }
   }
 
-  // Fans of triangles around a vertex: each triangle joins its neighbours by their two other corners.
+  // Fans of triangles around a vertex: each triangle joins its neighbours by their two other
+  // corners.
   int fans_at(std::uint32_t v, std::span<const std::uint32_t> triangles) const {
     if (triangles.size() < 2) return static_cast<int>(triangles.size());
     std::vector<std::pair<std::uint32_t, std::uint32_t>> rims;
@@ -151,7 +158,9 @@ class Examination {
         grow.pop_back();
         for (std::size_t other = 0; other < rims.size(); ++other) {
           const auto& [p, q] = rims[other];
-          if (taken[other] || (p != rim.first && p != rim.second && q != rim.first && q != rim.second)) continue;
+          if (taken[other] ||
+              (p != rim.first && p != rim.second && q != rim.first && q != rim.second))
+            continue;
           taken[other] = 1;
           grow.push_back(other);
         }
@@ -168,11 +177,14 @@ class Examination {
     bool before = false;
     constexpr int kDirections = 16;
     for (int k = 0; k <= kDirections; ++k) {
-      static constexpr int kAcross[kDirections] = {4, 4, 3, 2, 0, -2, -3, -4, -4, -4, -3, -2, 0, 2, 3, 4};
-      static constexpr int kUp[kDirections] = {0, 2, 3, 4, 4, 4, 3, 2, 0, -2, -3, -4, -4, -4, -3, -2};
+      static constexpr int kAcross[kDirections] = {4,  4,  3,  2,  0, -2, -3, -4,
+                                                   -4, -4, -3, -2, 0, 2,  3,  4};
+      static constexpr int kUp[kDirections] = {0, 2,  3,  4,  4,  4,  3,  2,
+                                               0, -2, -3, -4, -4, -4, -3, -2};
       const int d = k % kDirections;
       // Off the axes and the diagonals, where neighbouring triangles meet.
-      const double x = at.x + kBeside * field.dx_m * (kAcross[d] + 0.25), y = at.y + kBeside * field.dy_m * (kUp[d] + 0.125);
+      const double x = at.x + kBeside * field.dx_m * (kAcross[d] + 0.25),
+                   y = at.y + kBeside * field.dy_m * (kUp[d] + 0.125);
       const bool here = inside_terrain(x, y);
       changes += k > 0 && here != before;
       before = here;
@@ -180,12 +192,14 @@ class Examination {
     return changes > 2;
   }
 
-  // Vertices of open edges that lie in the inside of another open edge. They come few, or the mesh is a ruin anyway.
+  // Vertices of open edges that lie in the inside of another open edge. They come few, or the mesh
+  // is a ruin anyway.
   void find_t_junctions() {
     constexpr std::size_t kMostEdges = 20'000;
     std::vector<std::pair<glm::dvec2, std::uint32_t>> ends;
     for (const OpenEdge& edge : open_) {
-      for (const std::uint32_t v : {edge.low, edge.high}) ends.emplace_back(glm::dvec2(position(v)), v);
+      for (const std::uint32_t v : {edge.low, edge.high})
+        ends.emplace_back(glm::dvec2(position(v)), v);
     }
     std::sort(ends.begin(), ends.end(), [](const auto& a, const auto& b) {
       return std::tie(a.first.x, a.first.y, a.second) < std::tie(b.first.x, b.first.y, b.second);
@@ -197,12 +211,15 @@ class Examination {
       const OpenEdge& edge = open_[k];
       const glm::dvec2 a(position(edge.low)), b(position(edge.high)), d = b - a;
       const double length = std::sqrt(glm::dot(d, d));
-      const auto first = std::lower_bound(ends.begin(), ends.end(), std::min(a.x, b.x) - near,
-                                          [](const auto& end, double x) { return end.first.x < x; });
-      for (auto end = first; end != ends.end() && end->first.x <= std::max(a.x, b.x) + near; ++end) {
+      const auto first =
+          std::lower_bound(ends.begin(), ends.end(), std::min(a.x, b.x) - near,
+                           [](const auto& end, double x) { return end.first.x < x; });
+      for (auto end = first; end != ends.end() && end->first.x <= std::max(a.x, b.x) + near;
+           ++end) {
         if (end->second == edge.low || end->second == edge.high) continue;
         const glm::dvec2 p = end->first - a;
-        const double along = glm::dot(p, d) / length, across = std::abs(p.x * d.y - p.y * d.x) / length;
+        const double along = glm::dot(p, d) / length,
+                     across = std::abs(p.x * d.y - p.y * d.x) / length;
         if (across > near || along <= near || along >= length - near) continue;
         found.push_back(end->second);
         list("T-junction", position(end->second), edge.triangle);

@@ -9,7 +9,8 @@
 
 namespace plumb::audit {
 
-/// A heightfield's full-detail surface with what is needed to question it. Keeps a reference to the terrain.
+/// A heightfield's full-detail surface with what is needed to question it. Keeps a reference to the
+/// terrain.
 struct HeightfieldTruth {
   reference::PyramidCaster caster;
   double slack_m;  // reference::evaluation_slack_m
@@ -20,7 +21,9 @@ struct HeightfieldTruth {
   const terrain::Heightfield& field() const { return caster.field(); }
   terrain::Diagonal diagonal() const { return caster.diagonal(); }
   /// NaN where there is no surface; (x, y) relative to the terrain's origin.
-  double height_at(double x_m, double y_m) const { return reference::surface_at(field(), diagonal(), x_m, y_m).height_m; }
+  double height_at(double x_m, double y_m) const {
+    return reference::surface_at(field(), diagonal(), x_m, y_m).height_m;
+  }
 };
 
 }  // namespace plumb::audit

@@ -38,7 +38,8 @@ class BoxTree {
   /// box_of(k), k < count, is called from several threads, and not after the constructor returns;
   /// boxes are finite and not empty. `instruction_set` is "" for the best there is, or one of
   /// Embree's: "sse2", "sse4.2", "avx", "avx2", "avx512".
-  /// Throws InputError if the tree cannot fit into memory, std::runtime_error if Embree fails.
+  /// Throws InputError if the tree cannot fit into memory, std::invalid_argument for another
+  /// instruction set, std::runtime_error if Embree fails.
   BoxTree(std::uint32_t count, const std::function<Box(std::uint32_t)>& box_of,
           const std::string& instruction_set = {});
   ~BoxTree();
@@ -53,8 +54,11 @@ class BoxTree {
   /// Around all boxes; empty if there are none.
   const Box& bounds() const;
 
-  /// Most bytes that building a tree takes.
+  /// More than the bytes that building a tree takes: what the constructor asks for.
   static std::int64_t bytes_needed(std::uint32_t count);
+  /// Bytes that Embree held at most while building, and holds now.
+  std::int64_t peak_bytes() const;
+  std::int64_t bytes() const;
 
  private:
   struct Scene;

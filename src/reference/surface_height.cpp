@@ -21,8 +21,10 @@ struct Half {
   bool contains;
 };
 
-// Height at (a, b) in [0, 1]^2 of one half of the cell at (i, j), as a sum of corner heights weighted by nearness.
-Half half_at(const Heightfield& field, bool north_east, int half, int i, int j, double a, double b) {
+// Height at (a, b) in [0, 1]^2 of one half of the cell at (i, j), as a sum of corner heights
+// weighted by nearness.
+Half half_at(const Heightfield& field, bool north_east, int half, int i, int j, double a,
+             double b) {
   const double sw = field.heights_m(i, j), se = field.heights_m(i + 1, j);
   const double nw = field.heights_m(i, j + 1), ne = field.heights_m(i + 1, j + 1);
   if (north_east) {
@@ -45,7 +47,8 @@ Place locate(double coordinate, int cells) {
   return {cell, std::clamp(coordinate - cell, 0.0, 1.0)};
 }
 
-SurfacePoint in_cell(const Heightfield& field, Diagonal diagonal, int i, int j, double a, double b) {
+SurfacePoint in_cell(const Heightfield& field, Diagonal diagonal, int i, int j, double a,
+                     double b) {
   const bool north_east = rises_north_east(diagonal, i, j);
   for (int half = 0; half < 2; ++half) {
     const Half found = half_at(field, north_east, half, i, j, a, b);
@@ -59,16 +62,20 @@ SurfacePoint in_cell(const Heightfield& field, Diagonal diagonal, int i, int j, 
 }  // namespace
 
 SurfacePoint surface_at(const Heightfield& field, Diagonal diagonal, double x_m, double y_m) {
-  const Place x = locate(x_m / field.dx_m, field.cell_columns()), y = locate(y_m / field.dy_m, field.cell_rows());
+  const Place x = locate(x_m / field.dx_m, field.cell_columns()),
+              y = locate(y_m / field.dy_m, field.cell_rows());
   if (x.cell < 0 || y.cell < 0) return {std::numeric_limits<double>::quiet_NaN(), kNoPrimitive};
   const SurfacePoint here = in_cell(field, diagonal, x.cell, y.cell, x.fraction, y.fraction);
   // On a grid line the cell to the west or south has its say where this one is void.
-  const bool on_column = x.fraction < kBorder && x.cell > 0, on_row = y.fraction < kBorder && y.cell > 0;
+  const bool on_column = x.fraction < kBorder && x.cell > 0,
+             on_row = y.fraction < kBorder && y.cell > 0;
   if (here.triangle != kNoPrimitive || (!on_column && !on_row)) return here;
   SurfacePoint found = here;
   if (on_row) found = in_cell(field, diagonal, x.cell, y.cell - 1, x.fraction, 1.0);
-  if (found.triangle == kNoPrimitive && on_column) found = in_cell(field, diagonal, x.cell - 1, y.cell, 1.0, y.fraction);
-  if (found.triangle == kNoPrimitive && on_column && on_row) found = in_cell(field, diagonal, x.cell - 1, y.cell - 1, 1.0, 1.0);
+  if (found.triangle == kNoPrimitive && on_column)
+    found = in_cell(field, diagonal, x.cell - 1, y.cell, 1.0, y.fraction);
+  if (found.triangle == kNoPrimitive && on_column && on_row)
+    found = in_cell(field, diagonal, x.cell - 1, y.cell - 1, 1.0, 1.0);
   return found;
 }
 
@@ -96,10 +103,12 @@ double evaluation_slack_m(const Heightfield& field) {
         }
         return e;
       },
-      [](Extremes a, Extremes b) { return Extremes{std::max(a.height, b.height), std::max(a.slope, b.slope)}; });
+      [](Extremes a, Extremes b) {
+        return Extremes{std::max(a.height, b.height), std::max(a.slope, b.slope)};
+      });
   const double ulp = std::numeric_limits<double>::epsilon();
   const double extent = std::max(field.cell_columns() * field.dx_m, field.cell_rows() * field.dy_m);
-  return ulp * (16.0 * found.height + 4.0 * extent * found.slope);
+  return ulp * (16.0 * found.height + 32.0 * extent * found.slope);
 }
 
 glm::dvec3 triangle_normal(const Heightfield& field, Diagonal diagonal, std::uint32_t triangle) {

@@ -117,6 +117,7 @@ SightLine look_along(const Heightfield& field, const glm::dvec3& eye_m,
                      const glm::dvec2& direction) {
   SightLine line;
   line.skyline = -kInfinity;
+  double lowest = kInfinity, highest = -kInfinity;
   double begin = 0.0, end = kInfinity;
   clip(eye_m.x, direction.x, 0.0, field.cell_columns() * field.dx_m, begin, end);
   clip(eye_m.y, direction.y, 0.0, field.cell_rows() * field.dy_m, begin, end);
@@ -127,10 +128,12 @@ SightLine look_along(const Heightfield& field, const glm::dvec3& eye_m,
     const double slope = (ground - eye_m.z) / distance;
     if (slope >= line.skyline) {  // false for NaN
       line.skyline = slope;
-      line.skyline_distance_m = distance;
       line.reach_m = distance;
+      lowest = std::min(lowest, ground);
+      highest = std::max(highest, ground);
     }
   }
+  if (lowest <= highest) line.relief_m = highest - lowest;
   return line;
 }
 

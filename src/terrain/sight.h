@@ -29,9 +29,9 @@ std::vector<Stand> stands_of(const Heightfield& field, int per_side);
 
 /// What is seen looking from `eye_m` along one compass direction (unit vector).
 struct SightLine {
-  double reach_m = 0.0;  // horizontal distance of the farthest ground that is seen; 0: none
-  double skyline = 0.0;  // tangent of the highest ground's elevation angle; -inf: no ground
-  double skyline_distance_m = 0.0;
+  double reach_m = 0.0;   // horizontal distance of the farthest ground that is seen; 0: none
+  double skyline = 0.0;   // tangent of the highest ground's elevation angle; -inf: no ground
+  double relief_m = 0.0;  // between the lowest and the highest ground that is seen
 };
 SightLine look_along(const Heightfield& field, const glm::dvec3& eye_m,
                      const glm::dvec2& direction);

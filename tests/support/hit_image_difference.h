@@ -1,11 +1,14 @@
 // How two casters' pictures of the same scene differ.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
 
 #include "core/camera.h"
 #include "core/hit_image.h"
@@ -29,6 +32,14 @@ struct HitImageDifference {
     largest_px = std::max(largest_px, other.largest_px);
   }
 };
+
+inline std::string to_text(const HitImageDifference& d) {
+  return fmt::format(
+      "{} pixels, {} hits: {} differ in hit or miss, {} in place, {} in the triangle alone; at "
+      "most "
+      "{:.3g} px apart",
+      d.pixels, d.hits, d.hit_or_miss, d.elsewhere, d.primitive, d.largest_px);
+}
 
 inline HitImageDifference difference(const Camera& camera, const HitImage& a, const HitImage& b) {
   HitImageDifference result;

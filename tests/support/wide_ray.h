@@ -63,8 +63,38 @@ struct WideHit {
   }
 };
 
+/// Parameters t that a ray's line shares with a triangle: none (first > last), one, or the interval
+/// where a triangle that is seen edge-on holds the line.
+template <class Real>
+struct WideInterval {
+  Real first, last;
+};
+
+/// Where the line meets the edge from a to b (relative to the ray's origin), in whose plane it
+/// lies.
+template <class Real>
+void add_edge(const WideVector<Real>& direction, const WideVector<Real>& a,
+              const WideVector<Real>& b, WideInterval<Real>& met) {
+  const WideVector<Real> along = b - a;
+  const WideVector<Real> normal = cross(direction, along);
+  const Real length_squared = dot(normal, normal);
+  const auto add = [&](Real t) {
+    met.first = t < met.first ? t : met.first;
+    met.last = t > met.last ? t : met.last;
+  };
+  if (length_squared == 0) {  // parallel: on the line or off it
+    const WideVector<Real> off = cross(a, direction);
+    if (dot(off, off) > 0) return;
+    add(dot(a, direction) / dot(direction, direction));
+    add(dot(b, direction) / dot(direction, direction));
+    return;
+  }
+  const Real s = dot(cross(a, direction), normal);  // in units of 1 / length_squared
+  if (s >= 0 && s <= length_squared) add(dot(cross(a, along), normal) / length_squared);
+}
+
 /// Improves `best` by the closed triangle: signed volumes say whether the ray's line passes
-/// through it, its plane says where. A triangle seen exactly edge-on is not met.
+/// through it, its plane says where.
 template <class Real>
 void meet_wide(const WideRay<Real>& ray, const std::array<WideVector<Real>, 3>& corners,
                std::uint32_t triangle, WideHit<Real>& best) {
@@ -76,9 +106,16 @@ void meet_wide(const WideRay<Real>& ray, const std::array<WideVector<Real>, 3>& 
   if (!inside) return;
   const WideVector<Real> normal = cross(b - a, c - a);
   const Real facing = dot(normal, ray.direction);
-  if (facing == 0) return;
-  const Real t = dot(normal, a) / facing;
-  if (t >= ray.t_min && t <= ray.t_max) best.offer(t, triangle);
+  WideInterval<Real> met{Real(1e300), Real(-1e300)};
+  if (facing != 0) {
+    met.first = met.last = dot(normal, a) / facing;
+  } else {
+    add_edge(ray.direction, a, b, met);
+    add_edge(ray.direction, b, c, met);
+    add_edge(ray.direction, c, a, met);
+  }
+  const Real t = met.first < ray.t_min ? ray.t_min : met.first;
+  if (met.first <= met.last && t <= met.last && t <= ray.t_max) best.offer(t, triangle);
 }
 
 /// Both triangles of a cell, those that exist.
