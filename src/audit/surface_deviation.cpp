@@ -69,7 +69,7 @@ struct Reach {
 };
 
 void cover_samples(const Heightfield& field, const FlatTriangle& t, std::uint32_t index, Range rows,
-                   int first_row, std::vector<Deviation>& found) {
+                   int first_row, std::vector<Deviation>& found, float* triangle_max_m) {
   const Range own = lines_within(std::min({t.a.y, t.b.y, t.c.y}), std::max({t.a.y, t.b.y, t.c.y}),
                                  field.dy_m, rows.first, rows.last);
   double largest = 0.0;
