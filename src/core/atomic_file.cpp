@@ -2,10 +2,15 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
+#include <deque>
 #include <fstream>
+#include <mutex>
+#include <string>
 #include <system_error>
 
 #include "core/check.h"
@@ -26,6 +31,37 @@ fs::path target_of(const fs::path& path) {
   return error ? path : resolved;
 }
 
+// The names that an interruption must remove. A signal handler may only read them, so they are kept
+// for good: a few bytes for each file that is written. A file too many for the table is removed by
+// its owner alone.
+std::array<std::atomic<const char*>, 64> open_names{};
+
+void remember(const fs::path& path) {
+  static std::mutex mutex;
+  static std::deque<std::string> names;
+  const std::lock_guard<std::mutex> lock(mutex);
+  names.push_back(path.string());
+  for (std::atomic<const char*>& slot : open_names) {
+    const char* free_slot = nullptr;
+    if (slot.compare_exchange_strong(free_slot, names.back().c_str())) return;
+  }
+}
+
+void forget(const fs::path& path) {
+  for (std::atomic<const char*>& slot : open_names) {
+    const char* name = slot.load();
+    if (name != nullptr && path == name) slot.store(nullptr);
+  }
+}
+
+extern "C" void end_interrupted(int signal_number) {
+  for (const std::atomic<const char*>& slot : open_names) {
+    const char* name = slot.load();
+    if (name != nullptr) ::unlink(name);
+  }
+  ::_exit(128 + signal_number);
+}
+
 }  // namespace
 
 TemporarySibling::TemporarySibling(const fs::path& final_path) : final_(target_of(final_path)) {
@@ -40,11 +76,13 @@ TemporarySibling::TemporarySibling(const fs::path& final_path) : final_(target_o
   const std::string stem = final_.stem().string().substr(0, 160);
   temporary_ = folder / fmt::format(".{}.{}-{}.tmp{}", stem, ::getpid(), next.fetch_add(1),
                                     final_.extension().string());
+  remember(temporary_);
 }
 
 TemporarySibling::~TemporarySibling() {
   std::error_code ignored;
   if (!committed_) fs::remove(temporary_, ignored);
+  forget(temporary_);
 }
 
 void TemporarySibling::commit() {
@@ -52,6 +90,18 @@ void TemporarySibling::commit() {
   fs::rename(temporary_, final_, error);
   if (error) input_error("cannot write '{}': {}", final_.string(), error.message());
   committed_ = true;
+}
+
+void remove_temporary_files_on_interrupt() {
+  for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before {};
+    ::sigaction(signal_number, nullptr, &before);
+    if (before.sa_handler == SIG_IGN) continue;
+    struct sigaction action {};
+    action.sa_handler = end_interrupted;
+    sigfillset(&action.sa_mask);
+    ::sigaction(signal_number, &action, nullptr);
+  }
 }
 
 void write_file_atomically(const fs::path& path, std::string_view bytes) {

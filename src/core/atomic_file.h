@@ -33,6 +33,12 @@ class TemporarySibling {
   bool committed_ = false;
 };
 
+/// From now on an interruption (SIGINT, SIGTERM, SIGHUP) removes the temporary files that this
+/// process is writing and ends it with status 128 + the signal's number: 130 for SIGINT. A signal
+/// that is ignored (SIGHUP under nohup) stays so. For a program's main; the library installs no
+/// handler by itself.
+void remove_temporary_files_on_interrupt();
+
 /// Writes `bytes` as the whole file `path`. Throws InputError with path and cause; no partial file
 /// is left.
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
