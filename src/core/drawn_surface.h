@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,16 +16,19 @@ namespace plumb {
 struct Patch {
   std::uint32_t first_triangle = 0;
   std::uint32_t triangle_count = 0;
-  int lod = 0;       // 0 is the finest
+  int lod = 0;       // coarsest level in it, 0 is the finest
   std::string name;  // for people: where it is, in the method's own words
 };
 
 /// The surface that a method would draw for one camera, and what it promises about it.
 ///
-/// Patches are ordered by `first_triangle` and cover every triangle; an empty list is one patch.
-/// Every drawn surface claims coverage zero; the method need not say so.
+/// The mesh is shared, so that a method whose surface does not depend on the view hands out the one
+/// that it prepared. Patches are ordered by `first_triangle` and cover every triangle; an empty
+/// list is one patch. Every drawn surface claims coverage zero; the method need not say so.
 struct DrawnSurface {
-  TriangleMesh mesh;
+  std::shared_ptr<const TriangleMesh> mesh;
+  std::vector<std::uint8_t>
+      triangle_lod;  // level of each triangle, 0 the finest; empty if there are no levels
   std::vector<Patch> patches;
   std::vector<Claim> claims;
   Cost cost;

@@ -1,0 +1,118 @@
+// The audit of a drawn heightfield: every measure, every claim, one verdict.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "audit/coverage.h"
+#include "audit/distribution.h"
+#include "audit/method.h"
+#include "audit/pixel_error.h"
+#include "audit/registration.h"
+#include "audit/sample_error.h"
+#include "audit/topology.h"
+#include "audit/truth.h"
+#include "core/camera.h"
+#include "core/drawn_surface.h"
+#include "core/hit_image.h"
+
+namespace plumb::audit {
+
+/// A bound that the user sets, judged beside the method's own claims.
+struct Limit {
+  std::string measure;  // see limit_measures()
+  double bound = 0.0;
+  Unit unit = Unit::Pixel;
+};
+
+/// "pixel-error=1px", "sample-error=5m", "coverage=0". Throws InputError naming the measures that
+/// there are.
+Limit parse_limit(const std::string& text);
+
+struct AuditOptions {
+  std::vector<Limit> limits;
+  double band_px = 1.0;  // silhouettes are undecided by this much; the tolerance, where it is
+                         // larger than a pixel
+  bool nearest = true;   // also the distance to the nearest point, both ways
+  int most_listed = 20;  // worst offenders and flaws of a kind
+};
+
+/// Errors to the nearest point of the other surface, projected. They are no screen distances and
+/// judge nothing.
+struct NearestErrors {
+  std::vector<float> forward_px;  // a pixel each: from the point drawn; NaN where nothing is
+  Distribution forward, reverse;
+};
+
+struct Offender {
+  std::string what;  // the measure
+  double value = 0.0;
+  Unit unit = Unit::Pixel;
+  int x = -1, y = -1;  // pixel; -1 if out of view
+  int sample_i = -1, sample_j = -1;
+  glm::dvec3 world_m{0.0};
+  int patch = -1;
+  std::string patch_name = {};
+};
+
+struct ClaimResult {
+  Claim claim;
+  bool is_limit = false;  // the user's, not the method's
+  std::string label;      // "sample-error", "coverage", ...
+  double measured = 0.0;
+  double slack = 0.0;           // what rounding may add to the measurement, in the claim's unit
+  std::int64_t violations = 0;  // samples, places, pixels or patches over the bound
+  std::int64_t triangles_over =
+      -1;  // drawn triangles that cover a sample over it; -1 where that is not counted
+  bool holds = true;
+  std::optional<Offender> worst;
+
+  /// Claimed divided by measured: 1 is tight, 2 twice as careful as needed, below 1 broken. Nothing
+  /// where both are zero.
+  std::optional<double> tightness() const;
+};
+
+struct AuditTimes {
+  double prepare_s = 0.0, draw_s = 0.0, raster_s = 0.0, truth_s = 0.0, measure_s = 0.0;
+};
+
+struct AuditResult {
+  HitImage true_hits, drawn;
+  SampleErrors samples;
+  EdgeErrors edges;
+  PixelErrors pixels, reverse_pixels;
+  Distribution vertical, reverse_vertical, depth, normal_deg;
+  NearestErrors nearest;
+  Coverage coverage;
+  Registration registration;
+  Topology topology;
+  std::vector<ClaimResult>
+      claims;  // frame claims first, then those of patches: only the broken and the tightest ones
+  std::int64_t patch_claims = 0;  // of the method, all of them judged
+  std::int64_t patch_claims_broken = 0;
+  std::vector<Offender> offenders;  // worst first, of every measure
+  Cost cost;
+  AuditTimes times;
+
+  /// Every claim and every limit holds, coverage zero among them, and the picture belongs to the
+  /// camera.
+  bool holds() const;
+};
+
+/// Judges a surface and the picture that was drawn of it.
+///
+/// truth    the full-detail surface; its cast_frame(camera) is `true_hits`
+/// drawn    what the surface looks like through `camera`, by whatever renderer; `primitive` indexes
+/// the surface's triangles The result has the same bits on every machine and number of threads,
+/// `times` apart.
+AuditResult audit_picture(const HeightfieldTruth& truth, HitImage true_hits,
+                          const DrawnSurface& surface, HitImage drawn, const Camera& camera,
+                          const AuditOptions& options = {});
+
+/// Casts the truth, draws the surface with the rasteriser, and judges it.
+AuditResult audit_surface(const HeightfieldTruth& truth, const DrawnSurface& surface,
+                          const Camera& camera, const AuditOptions& options = {});
+
+}  // namespace plumb::audit

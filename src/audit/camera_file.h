@@ -1,0 +1,47 @@
+// Cameras as people write them down: in a TOML file, or as numbers.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <optional>
+#include <string>
+
+#include "core/camera.h"
+#include "terrain/heightfield.h"
+
+namespace plumb::audit {
+
+/// A camera, as far as it was written down.
+struct CameraDescription {
+  std::string preset = "";                         // a preset's name, or empty
+  std::optional<glm::dvec3> eye_m = std::nullopt;  // world coordinates, as of the terrain's file
+  std::optional<glm::dvec3> target_m = std::nullopt;
+  std::optional<glm::dvec3> up = std::nullopt;
+  std::optional<double> fov_y_deg = std::nullopt;
+  std::optional<int> width_px = std::nullopt;
+  std::optional<int> height_px = std::nullopt;
+  std::optional<double> near_m = std::nullopt;
+  std::optional<double> far_m = std::nullopt;
+
+  friend bool operator==(const CameraDescription&, const CameraDescription&) = default;
+};
+
+/// Reads a TOML file with the keys eye, target, up (each [x, y, z]), fov_y_deg, width, height,
+/// near, far; or preset = "NAME" in place of eye, target and up. All but eye and target may be left
+/// out. Throws InputError, one line with the file and the place in it, for anything else: an
+/// unknown key is an error that names the known ones.
+CameraDescription read_camera_file(const std::string& path);
+
+/// The same from the text of such a file; `name` stands for it in messages.
+CameraDescription parse_camera_toml(const std::string& text, const std::string& name);
+
+/// Six or seven numbers: "ex,ey,ez,tx,ty,tz[,fov_y_deg]". Nothing if the text does not look like a
+/// list of numbers (is a name); throws InputError if it does and is not six or seven of them.
+std::optional<CameraDescription> parse_camera_numbers(const std::string& text);
+
+/// The camera that a description means for this terrain: what it leaves open has LookAt's values,
+/// or the preset's. Throws InputError for an unknown preset, and for values that are no camera (eye
+/// on target, a field of view outside (0, 180), a size outside 1..65536, near <= 0, far <= near).
+LookAt resolve_camera(const CameraDescription& description, const terrain::Heightfield& field);
+
+}  // namespace plumb::audit

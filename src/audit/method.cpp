@@ -1,0 +1,60 @@
+#include "audit/method.h"
+
+#include <algorithm>
+
+#include "core/check.h"
+
+namespace plumb::audit {
+namespace {
+
+template <class Range, class NameOf>
+std::string joined(const Range& range, const NameOf& name_of_item) {
+  std::string text;
+  for (const auto& item : range)
+    text += (text.empty() ? "" : ", ") + std::string(name_of_item(item));
+  return text;
+}
+
+}  // namespace
+
+const Method& find_method(const MethodTable& table, const std::string& name) {
+  const auto found = std::find_if(table.begin(), table.end(),
+                                  [&](const Method& method) { return method.name == name; });
+  if (found == table.end()) {
+    input_error("method '{}': expected one of {}", name,
+                joined(table, [](const Method& method) { return method.name; }));
+  }
+  return *found;
+}
+
+std::unique_ptr<PreparedMethod> prepare_method(const Method& method,
+                                               const terrain::Heightfield& field,
+                                               const MethodChoice& choice,
+                                               const Tolerance& tolerance) {
+  const auto& variants = method.variants;
+  if (!choice.variant.empty() &&
+      std::find(variants.begin(), variants.end(), choice.variant) == variants.end()) {
+    input_error("method {} has no variant '{}': it has {}", method.name, choice.variant,
+                joined(variants, [](const std::string& variant) { return variant; }));
+  }
+  for (const auto& [key, value] : choice.parameters) {
+    const bool known = std::any_of(method.parameters.begin(), method.parameters.end(),
+                                   [&k = key](const auto& p) { return p.first == k; });
+    if (!known) {
+      input_error("method {} has no parameter '{}': it has {}", method.name, key,
+                  method.parameters.empty() ? "none" : joined(method.parameters, [](const auto& p) {
+                    return p.first;
+                  }));
+    }
+  }
+  const auto& units = method.tolerance_units;
+  if (std::find(units.begin(), units.end(), tolerance.unit) == units.end()) {
+    input_error("method {} promises nothing in '{}': give a tolerance in {}", method.name,
+                name_of(tolerance.unit), joined(units, [](Unit unit) { return name_of(unit); }));
+  }
+  MethodChoice settled = choice;
+  if (settled.variant.empty()) settled.variant = variants.front();
+  return method.prepare(field, settled);
+}
+
+}  // namespace plumb::audit

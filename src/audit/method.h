@@ -1,0 +1,74 @@
+// What the audit knows of a method: a name, and two functions.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/camera.h"
+#include "core/drawn_surface.h"
+#include "terrain/heightfield.h"
+
+namespace plumb::audit {
+
+/// Everything that a method made of a terrain before it knew a camera.
+class PreparedMethod {
+ public:
+  virtual ~PreparedMethod() = default;
+  virtual DrawnSurface draw(const Camera& camera, const Tolerance& tolerance) const = 0;
+};
+
+/// What a user sets of a method: its variant and parameters by name; the method checks them.
+struct MethodChoice {
+  std::string variant;                            // empty: the method's first
+  std::map<std::string, std::string> parameters;  // unknown names are errors
+};
+
+struct Method {
+  std::string name;                   // with hyphens, as on the command line
+  std::string summary;                // one line
+  std::vector<std::string> variants;  // the default first; one for a method with a single variant
+  std::vector<Unit> tolerance_units;  // in which it can promise
+  terrain::Diagonal truth =
+      terrain::Diagonal::Alternating;  // the full-detail surface that it approximates
+  std::vector<std::pair<std::string, std::string>> parameters;  // names and what they mean
+  std::function<std::unique_ptr<PreparedMethod>(const terrain::Heightfield&, const MethodChoice&)>
+      prepare;
+};
+
+using MethodTable = std::vector<Method>;
+
+/// Wraps prepare's result and a draw function as a PreparedMethod.
+template <class Prepared, class Draw>
+std::unique_ptr<PreparedMethod> adapt(Prepared prepared, Draw draw) {
+  class Adapter final : public PreparedMethod {
+   public:
+    Adapter(Prepared p, Draw d) : prepared_(std::move(p)), draw_(std::move(d)) {}
+    DrawnSurface draw(const Camera& camera, const Tolerance& tolerance) const override {
+      return draw_(prepared_, camera, tolerance);
+    }
+
+   private:
+    Prepared prepared_;
+    Draw draw_;
+  };
+  return std::make_unique<Adapter>(std::move(prepared), std::move(draw));
+}
+
+/// The methods that come with plumb.
+const MethodTable& built_in_methods();
+
+/// Throws InputError naming the known ones.
+const Method& find_method(const MethodTable& table, const std::string& name);
+
+/// Prepares a method after checking the choice against its row: throws InputError for a variant, a
+/// parameter or a unit of tolerance that it does not have.
+std::unique_ptr<PreparedMethod> prepare_method(const Method& method,
+                                               const terrain::Heightfield& field,
+                                               const MethodChoice& choice,
+                                               const Tolerance& tolerance);
+
+}  // namespace plumb::audit

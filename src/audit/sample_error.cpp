@@ -1,0 +1,145 @@
+#include "audit/sample_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "audit/surface_deviation.h"
+#include "core/parallel.h"
+#include "core/screen_error.h"
+
+namespace plumb::audit {
+namespace {
+
+constexpr glm::dvec3 kUp{0.0, 0.0, 1.0};
+constexpr double kHiddenByLess =
+    1e-3;  // relative depth by which a sample may lie behind the truth around its pixel
+
+struct RowErrors {
+  std::vector<float> metres, pixels, visible;
+  WorstSample worst_m, worst_px;
+  std::vector<std::pair<int, double>>
+      patches;  // patch and its largest error in this row, runs joined
+  std::int64_t uncovered = 0, over_void = 0, overlapped = 0;
+  double pixels_per_metre = 0.0;
+};
+
+class RowMeasure {
+ public:
+  RowMeasure(const HeightfieldTruth& truth, const HitImage& true_hits, const DrawnSurface& surface,
+             const Camera& local)
+      : truth_(truth), true_hits_(true_hits), surface_(surface), camera_(local) {}
+
+  RowErrors operator()(int j, std::span<const Deviation> row) const {
+    RowErrors errors;
+    for (int i = 0; i < truth_.field().columns(); ++i)
+      measure(i, j, row[static_cast<std::size_t>(i)], errors);
+    return errors;
+  }
+
+ private:
+  void measure(int i, int j, const Deviation& deviation, RowErrors& errors) const {
+    const terrain::Heightfield& field = truth_.field();
+    errors.overlapped += deviation.sheets > 1;
+    if (field.is_void(i, j)) {
+      errors.over_void += deviation.covered();
+      return;
+    }
+    if (!deviation.covered()) {
+      errors.uncovered +=
+          reference::exists_at(field, truth_.diagonal(), i * field.dx_m, j * field.dy_m);
+      return;
+    }
+    const double metres = std::abs(deviation.delta_m);
+    errors.metres.push_back(static_cast<float>(metres));
+    const int patch = patch_of(surface_, deviation.triangle);
+    if (errors.patches.empty() || errors.patches.back().first != patch)
+      errors.patches.emplace_back(patch, 0.0);
+    errors.patches.back().second = std::max(errors.patches.back().second, metres);
+    const WorstSample here{i, j, metres, deviation.delta_m, deviation.triangle, patch};
+    if (errors.worst_m.i < 0 || metres > errors.worst_m.error) errors.worst_m = here;
+
+    const glm::dvec3 point{i * field.dx_m, j * field.dy_m, field.heights_m(i, j)};
+    if (!in_frustum(camera_, point)) return;
+    const double pixels = screen_displacement_px(camera_, point, kUp, deviation.delta_m);
+    errors.pixels.push_back(static_cast<float>(pixels));
+    const double depth = to_view(camera_, point).z, small = 1e-6 * depth;
+    errors.pixels_per_metre = std::max(errors.pixels_per_metre,
+                                       screen_displacement_px(camera_, point, kUp, small) / small);
+    if (is_visible(point)) errors.visible.push_back(static_cast<float>(pixels));
+    if (errors.worst_px.i < 0 || pixels > errors.worst_px.error) {
+      errors.worst_px = here;
+      errors.worst_px.error = pixels;
+    }
+  }
+
+  bool is_visible(const glm::dvec3& point) const {
+    const glm::dvec3 view = to_view(camera_, point);
+    const glm::dvec2 pixel = view_to_pixel(camera_, view);
+    const int x = static_cast<int>(pixel.x), y = static_cast<int>(pixel.y);
+    double deepest = 0.0;
+    for (int b = std::max(0, y - 1); b <= std::min(true_hits_.height_px - 1, y + 1); ++b) {
+      for (int a = std::max(0, x - 1); a <= std::min(true_hits_.width_px - 1, x + 1); ++a) {
+        deepest = std::max(deepest, true_hits_.depth_m[true_hits_.index(a, b)]);
+      }
+    }
+    return view.z <= deepest * (1.0 + kHiddenByLess);
+  }
+
+  const HeightfieldTruth& truth_;
+  const HitImage& true_hits_;
+  const DrawnSurface& surface_;
+  const Camera& camera_;
+};
+
+void keep_worse(WorstSample& worst, const WorstSample& other) {
+  if (other.i >= 0 && (worst.i < 0 || other.error > worst.error)) worst = other;
+}
+
+}  // namespace
+
+bool in_frustum(const Camera& camera, const glm::dvec3& point_m) {
+  const glm::dvec3 view = to_view(camera, point_m);
+  if (!(view.z >= camera.near_m && view.z <= camera.far_m)) return false;
+  const glm::dvec2 pixel = view_to_pixel(camera, view);
+  return pixel.x >= 0.0 && pixel.x <= camera.width_px && pixel.y >= 0.0 &&
+         pixel.y <= camera.height_px;
+}
+
+SampleErrors sample_errors(const HeightfieldTruth& truth, const HitImage& true_hits,
+                           const DrawnSurface& surface, const Camera& camera) {
+  const Camera local = relative_to(camera, truth.field().world_origin_m());
+  const RowMeasure measure(truth, true_hits, surface, local);
+  std::vector<RowErrors> rows(static_cast<std::size_t>(truth.field().rows()));
+  SampleErrors errors;
+  for_each_sample_row(truth.field(), *surface.mesh, &errors.triangle_max_m,
+                      [&](int j, std::span<const Deviation> row) {
+                        rows[static_cast<std::size_t>(j)] = measure(j, row);
+                      });
+  errors.patch_max_m.assign(std::max<std::size_t>(1, surface.patches.size()), 0.0);
+  std::vector<float> visible;
+  for (RowErrors& row :
+       rows) {  // from the south, so that the first of equals is the same on every machine
+    errors.values_m.insert(errors.values_m.end(), row.metres.begin(), row.metres.end());
+    errors.values_px.insert(errors.values_px.end(), row.pixels.begin(), row.pixels.end());
+    visible.insert(visible.end(), row.visible.begin(), row.visible.end());
+    for (const auto& [patch, error] : row.patches) {
+      double& most = errors.patch_max_m[static_cast<std::size_t>(patch)];
+      most = std::max(most, error);
+    }
+    keep_worse(errors.worst_m, row.worst_m);
+    keep_worse(errors.worst_px, row.worst_px);
+    errors.uncovered += row.uncovered;
+    errors.over_void += row.over_void;
+    errors.overlapped += row.overlapped;
+    errors.pixels_per_metre = std::max(errors.pixels_per_metre, row.pixels_per_metre);
+    row = RowErrors{};
+  }
+  errors.metres = distribution_of(errors.values_m);
+  errors.pixels = distribution_of(errors.values_px);
+  errors.visible_pixels = distribution_of(visible);
+  return errors;
+}
+
+}  // namespace plumb::audit

@@ -1,0 +1,249 @@
+#include "audit/topology.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "audit/flat_triangle.h"
+#include "audit/mesh_edges.h"
+#include "core/parallel.h"
+
+namespace plumb::audit {
+namespace {
+
+constexpr double kBeside =
+    1e-6;  // cells: how far from an edge to look for the surface on either side of it
+
+struct OpenEdge {
+  std::uint32_t low, high, triangle;
+};
+
+class Examination {
+ public:
+  Examination(const HeightfieldTruth& truth, const DrawnSurface& surface, int most_listed)
+      : truth_(truth),
+        surface_(surface),
+        mesh_(*surface.mesh),
+        shift_(mesh_.origin_m - truth.field().world_origin_m()),
+        edges_(mesh_),
+        most_listed_(most_listed) {}
+
+  Topology run() {
+    result_.triangles = static_cast<std::int64_t>(mesh_.triangles.size());
+    result_.vertices = static_cast<std::int64_t>(mesh_.vertices_m.size());
+    examine_triangles();
+    for (std::uint32_t low = 0; low < edges_.vertices(); ++low) examine_edges_of(low);
+    examine_vertices();
+    find_t_junctions();
+    return std::move(result_);
+  }
+
+ private:
+  glm::dvec3 position(std::uint32_t vertex) const { return mesh_.vertices_m[vertex] + shift_; }
+
+  void list(const char* kind, const glm::dvec3& at, std::uint32_t triangle) {
+    if (++listed_[kind] > most_listed_) return;
+    result_.listed.push_back(
+        {kind, at, triangle, triangle == kNoPrimitive ? -1 : patch_of(surface_, triangle)});
+  }
+
+  void examine_triangles() {
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      const Triangle& corners = mesh_.triangles[t];
+      const glm::dvec3 a = position(corners[0]), b = position(corners[1]), c = position(corners[2]);
+      const glm::dvec3 normal = area_normal(a, b, c);
+      const FlatTriangle flat(a, b, c);
+      if (normal == glm::dvec3(0.0)) {
+        ++result_.degenerate_triangles;
+        list("degenerate", a, t);
+      } else if (flat.is_flat() && normal.z < 0.0) {
+        ++result_.folded_triangles;
+        list("folded", (a + b + c) / 3.0, t);
+      }
+    }
+  }
+
+  void examine_edges_of(std::uint32_t low) {
+    const auto sides = edges_.from(low);
+    for (std::size_t k = 0; k < sides.size();) {
+      std::size_t end = k + 1;
+      while (end < sides.size() && sides[end].high == sides[k].high) ++end;
+      const std::size_t count = end - k;
+      if (count == 1) {
+        ++result_.boundary_edges;
+        if (is_open(low, sides[k].high)) {
+          ++result_.open_edges;
+          open_.push_back({low, sides[k].high, sides[k].triangle});
+          list("open edge", 0.5 * (position(low) + position(sides[k].high)), sides[k].triangle);
+        }
+      } else if (count > 2 || sides[k].rising == sides[k + 1].rising) {
+        ++result_.non_manifold_edges;
+        list("non-manifold edge", 0.5 * (position(low) + position(sides[k].high)),
+             sides[k].triangle);
+      } else if (!surface_.triangle_lod.empty()) {
+        const int jump =
+            surface_.triangle_lod[sides[k].triangle] - surface_.triangle_lod[sides[k + 1].triangle];
+        result_.largest_lod_jump = std::max(result_.largest_lod_jump, std::abs(jump));
+      }
+      k = end;
+    }
+  }
+
+  // The surface goes on on both sides of the edge, at its middle or at a quarter of it.
+  bool is_open(std::uint32_t p, std::uint32_t q) const {
+    const glm::dvec3 a = position(p), d = position(q) - a;
+    const double length = std::sqrt(d.x * d.x + d.y * d.y);
+    if (!(length > 0.0)) return false;
+    const double step = kBeside * std::min(truth_.field().dx_m, truth_.field().dy_m);
+    const glm::dvec2 beside{-d.y / length * step, d.x / length * step};
+    for (const double share : {0.5, 0.25, 0.75}) {
+      const double x = a.x + share * d.x, y = a.y + share * d.y;
+      if (inside_terrain(x + beside.x, y + beside.y) && inside_terrain(x - beside.x, y - beside.y))
+        return true;
+    }
+    return false;
+  }
+
+  bool inside_terrain(double x, double y) const {
+    return reference::exists_at(truth_.field(), truth_.diagonal(), x, y);
+  }
+
+  // A vertex is manifold if its triangles, joined where they share an edge at it, are one fan.
+  void examine_vertices() {
+    std::vector<std::uint32_t> start(mesh_.vertices_m.size() + 1, 0);
+    for (const Triangle& t : mesh_.triangles) {
+      for (const std::uint32_t v : t) ++start[v + 1];
+    }
+    for (std::size_t v = 1; v < start.size(); ++v) start[v] += start[v - 1];
+    std::vector<std::uint32_t> around(start.back()), next(start.begin(), start.end() - 1);
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      for (const std::uint32_t v : mesh_.triangles[t]) around[next[v]++] = t;
+    }
+    std::vector<char> broken(mesh_.vertices_m.size(), 0);
+    parallel_for(static_cast<std::int64_t>(broken.size()), 4096, [&](std::int64_t k) {
+      const auto v = static_cast<std::size_t>(k);
+      broken[v] = fans_at(static_cast<std::uint32_t>(v),
+                          {around.data() + start[v], start[v + 1] - start[v]}) > 1;
+    });
+    for (std::uint32_t v = 0; v < broken.size(); ++v) {
+      if (broken[v] == 0 || is_pinch_of_terrain(v)) continue;
+      ++result_.non_manifold_vertices;
+      list("non-manifold vertex", position(v), around[start[v]]);
+    }
+  }
+
+  // Fans of triangles around a vertex: each triangle joins its neighbours by their two other
+  // corners.
+  int fans_at(std::uint32_t v, std::span<const std::uint32_t> triangles) const {
+    if (triangles.size() < 2) return static_cast<int>(triangles.size());
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> rims;
+    for (const std::uint32_t t : triangles) {
+      const Triangle& c = mesh_.triangles[t];
+      const std::size_t k = c[0] == v ? 0 : c[1] == v ? 1 : 2;
+      rims.emplace_back(c[(k + 1) % 3], c[(k + 2) % 3]);
+    }
+    std::vector<char> taken(rims.size(), 0);
+    int fans = 0;
+    for (std::size_t seed = 0; seed < rims.size(); ++seed) {
+      if (taken[seed]) continue;
+      ++fans;
+      std::vector<std::size_t> grow{seed};
+      taken[seed] = 1;
+      while (!grow.empty()) {
+        const auto rim = rims[grow.back()];
+        grow.pop_back();
+        for (std::size_t other = 0; other < rims.size(); ++other) {
+          const auto& [p, q] = rims[other];
+          if (taken[other] ||
+              (p != rim.first && p != rim.second && q != rim.first && q != rim.second))
+            continue;
+          taken[other] = 1;
+          grow.push_back(other);
+        }
+      }
+    }
+    return fans;
+  }
+
+  // Where voids touch at a sample, the terrain itself hangs together by that point alone.
+  bool is_pinch_of_terrain(std::uint32_t v) const {
+    const glm::dvec3 at = position(v);
+    const terrain::Heightfield& field = truth_.field();
+    int changes = 0;
+    bool before = false;
+    constexpr int kDirections = 16;
+    for (int k = 0; k <= kDirections; ++k) {
+      static constexpr int kAcross[kDirections] = {4,  4,  3,  2,  0, -2, -3, -4,
+                                                   -4, -4, -3, -2, 0, 2,  3,  4};
+      static constexpr int kUp[kDirections] = {0, 2,  3,  4,  4,  4,  3,  2,
+                                               0, -2, -3, -4, -4, -4, -3, -2};
+      const int d = k % kDirections;
+      // Off the axes and the diagonals, where neighbouring triangles meet.
+      const double x = at.x + kBeside * field.dx_m * (kAcross[d] + 0.25),
+                   y = at.y + kBeside * field.dy_m * (kUp[d] + 0.125);
+      const bool here = inside_terrain(x, y);
+      changes += k > 0 && here != before;
+      before = here;
+    }
+    return changes > 2;
+  }
+
+  // Vertices of open edges that lie in the inside of another open edge. They come few, or the mesh
+  // is a ruin anyway.
+  void find_t_junctions() {
+    constexpr std::size_t kMostEdges = 20'000;
+    std::vector<std::pair<glm::dvec2, std::uint32_t>> ends;
+    for (const OpenEdge& edge : open_) {
+      for (const std::uint32_t v : {edge.low, edge.high})
+        ends.emplace_back(glm::dvec2(position(v)), v);
+    }
+    std::sort(ends.begin(), ends.end(), [](const auto& a, const auto& b) {
+      return std::tie(a.first.x, a.first.y, a.second) < std::tie(b.first.x, b.first.y, b.second);
+    });
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    const double near = kBeside * std::min(truth_.field().dx_m, truth_.field().dy_m);
+    std::vector<std::uint32_t> found;
+    for (std::size_t k = 0; k < std::min(open_.size(), kMostEdges); ++k) {
+      const OpenEdge& edge = open_[k];
+      const glm::dvec2 a(position(edge.low)), b(position(edge.high)), d = b - a;
+      const double length = std::sqrt(glm::dot(d, d));
+      const auto first =
+          std::lower_bound(ends.begin(), ends.end(), std::min(a.x, b.x) - near,
+                           [](const auto& end, double x) { return end.first.x < x; });
+      for (auto end = first; end != ends.end() && end->first.x <= std::max(a.x, b.x) + near;
+           ++end) {
+        if (end->second == edge.low || end->second == edge.high) continue;
+        const glm::dvec2 p = end->first - a;
+        const double along = glm::dot(p, d) / length,
+                     across = std::abs(p.x * d.y - p.y * d.x) / length;
+        if (across > near || along <= near || along >= length - near) continue;
+        found.push_back(end->second);
+        list("T-junction", position(end->second), edge.triangle);
+      }
+    }
+    std::sort(found.begin(), found.end());
+    result_.t_junctions = std::unique(found.begin(), found.end()) - found.begin();
+  }
+
+  const HeightfieldTruth& truth_;
+  const DrawnSurface& surface_;
+  const TriangleMesh& mesh_;
+  glm::dvec3 shift_;
+  MeshEdges edges_;
+  int most_listed_;
+  Topology result_;
+  std::map<std::string, int> listed_;
+  std::vector<OpenEdge> open_;
+};
+
+}  // namespace
+
+Topology topology_of(const HeightfieldTruth& truth, const DrawnSurface& surface, int most_listed) {
+  return Examination(truth, surface, most_listed).run();
+}
+
+}  // namespace plumb::audit

@@ -1,0 +1,219 @@
+#include "image/image_files.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+#include "core/atomic_file.h"
+#include "core/check.h"
+#include "image/srgb.h"
+
+namespace plumb::image {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kPrefix = "plumb:";
+constexpr const char* kNoTime = "1970:01:01 00:00:00";  // OpenImageIO writes the clock otherwise
+
+// A library's complaint as a part of one line.
+std::string one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  while (!text.empty() && text.back() == ' ') text.pop_back();
+  return text.empty() ? "no cause given" : text;
+}
+
+[[noreturn]] void cannot(const char* verb, const fs::path& path, const std::string& cause) {
+  input_error("cannot {} '{}': {}", verb, path.string(), one_line(cause));
+}
+
+// Encodes in memory and writes the bytes ourselves: OpenImageIO's PNG writer does not notice a full
+// disk.
+void write(const fs::path& path, const char* format, const OIIO::ImageSpec& spec,
+           const void* pixels) {
+  const auto output = OIIO::ImageOutput::create(format);
+  if (!output) cannot("write", path, OIIO::geterror());
+  OIIO::Filesystem::IOVecOutput memory;
+  if (!output->set_ioproxy(&memory)) cannot("write", path, "its encoder needs a file");
+  const bool done = output->open(path.string(), spec) && output->write_image(spec.format, pixels) &&
+                    output->close();
+  if (!done) cannot("write", path, output->geterror());
+  const std::vector<unsigned char>& bytes = memory.buffer();
+  write_file_atomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+std::unique_ptr<OIIO::ImageInput> open(const fs::path& path) {
+  OIIO::ImageSpec configuration;
+  configuration["oiio:UnassociatedAlpha"] = 1;
+  auto input = OIIO::ImageInput::open(path.string(), &configuration);
+  if (!input) cannot("read", path, OIIO::geterror());
+  const OIIO::ImageSpec& spec = input->spec();
+  if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1) {
+    cannot("read", path,
+           fmt::format("{} x {} x {} pixels of {} channels are no picture", spec.width, spec.height,
+                       spec.depth, spec.nchannels));
+  }
+  return input;
+}
+
+template <class T>
+std::vector<T> read_pixels(OIIO::ImageInput& input, const fs::path& path, OIIO::TypeDesc type) {
+  const OIIO::ImageSpec& spec = input.spec();
+  const int channel_count = spec.nchannels;
+  std::vector<T> pixels(static_cast<std::size_t>(spec.width) * spec.height * channel_count);
+  if (!input.read_image(0, 0, 0, channel_count, type, pixels.data())) {
+    cannot("read", path, input.geterror());
+  }
+  return pixels;
+}
+
+void set_metadata(const std::map<std::string, MetadataValue>& metadata, OIIO::ImageSpec& spec) {
+  for (const auto& [name, value] : metadata) {
+    require(!name.empty(), "a metadata entry must have a name");
+    const std::string full = kPrefix + name;
+    if (const auto* text = std::get_if<std::string>(&value)) spec.attribute(full, *text);
+    if (const auto* whole = std::get_if<std::int32_t>(&value)) spec.attribute(full, *whole);
+    if (const auto* number = std::get_if<double>(&value)) {
+      spec.attribute(full, OIIO::TypeDesc::DOUBLE, number);
+    }
+  }
+}
+
+std::map<std::string, MetadataValue> get_metadata(const OIIO::ImageSpec& spec) {
+  std::map<std::string, MetadataValue> metadata;
+  const std::string prefix = kPrefix;
+  for (const OIIO::ParamValue& entry : spec.extra_attribs) {
+    const std::string name = entry.name().string();
+    if (name.compare(0, prefix.size(), prefix) != 0) continue;
+    MetadataValue& value = metadata[name.substr(prefix.size())];
+    if (entry.type() == OIIO::TypeDesc::DOUBLE) {
+      value = *static_cast<const double*>(entry.data());
+    } else if (entry.type() == OIIO::TypeDesc::INT) {
+      value = *static_cast<const std::int32_t*>(entry.data());
+    } else {
+      value = entry.get_string();
+    }
+  }
+  return metadata;
+}
+
+// Pixel after pixel, the channels that are there side by side.
+std::vector<float> interleaved(const AovImage& image, const std::vector<Channel>& present) {
+  std::vector<float> pixels(image.size() * present.size());
+  for (std::size_t c = 0; c < present.size(); ++c) {
+    const std::vector<float>& values = image.*present[c].values;
+    for (std::size_t k = 0; k < image.size(); ++k) pixels[k * present.size() + c] = values[k];
+  }
+  return pixels;
+}
+
+// Red, green and blue of a file's channels: the first three, or grey thrice.
+template <class T, class Put>
+void for_each_rgb(const std::vector<T>& pixels, int channel_count, const Put& put) {
+  const auto stride = static_cast<std::size_t>(channel_count);
+  const std::size_t green = channel_count >= 3 ? 1 : 0, blue = channel_count >= 3 ? 2 : 0;
+  for (std::size_t k = 0; k * stride < pixels.size(); ++k) {
+    const T* pixel = pixels.data() + k * stride;
+    put(k, pixel[0], pixel[green], pixel[blue]);
+  }
+}
+
+}  // namespace
+
+void write_exr(const fs::path& path, const AovImage& image) {
+  require_valid(image);
+  std::vector<Channel> present;
+  for (const Channel& channel : channels()) {
+    if (!(image.*channel.values).empty()) present.push_back(channel);
+  }
+  require(!present.empty(), "an image without any channel cannot be written");
+  OIIO::ImageSpec spec(image.width_px, image.height_px, static_cast<int>(present.size()),
+                       OIIO::TypeDesc::FLOAT);
+  spec.channelnames.clear();
+  for (const Channel& channel : present) spec.channelnames.push_back(channel.name);
+  spec.attribute("compression", "zip");
+  spec.attribute("DateTime", kNoTime);
+  set_metadata(image.metadata, spec);
+  write(path, "exr", spec, interleaved(image, present).data());
+}
+
+AovImage read_exr(const fs::path& path) {
+  const auto input = open(path);
+  const OIIO::ImageSpec& spec = input->spec();
+  if (spec.x != spec.full_x || spec.y != spec.full_y || spec.width != spec.full_width ||
+      spec.height != spec.full_height) {
+    cannot("read", path,
+           fmt::format("its data window of {} x {} pixels is not its whole picture of {} x {}",
+                       spec.width, spec.height, spec.full_width, spec.full_height));
+  }
+  AovImage image;
+  image.width_px = spec.width;
+  image.height_px = spec.height;
+  image.metadata = get_metadata(spec);
+  const auto pixels = read_pixels<float>(*input, path, OIIO::TypeDesc::FLOAT);
+  bool any = false;
+  for (const Channel& channel : channels()) {
+    const auto stride = static_cast<std::size_t>(spec.nchannels);
+    for (std::size_t c = 0; c < stride; ++c) {
+      if (spec.channelnames[c] != channel.name) continue;
+      std::vector<float>& values = image.*channel.values;
+      values.resize(image.size());
+      for (std::size_t k = 0; k < values.size(); ++k) values[k] = pixels[k * stride + c];
+      any = true;
+    }
+  }
+  if (!any) cannot("read", path, "none of its channels is one of R G B Z P N id lod overdraw");
+  return image;
+}
+
+void write_png(const fs::path& path, const Rgb8Image& image) {
+  require(image.width_px >= 1 && image.height_px >= 1,
+          "an image must be at least 1 x 1 pixels, got {} x {}", image.width_px, image.height_px);
+  const std::size_t bytes = static_cast<std::size_t>(image.width_px) * image.height_px * 3;
+  require(image.rgb.size() == bytes, "{} x {} pixels need {} bytes, got {}", image.width_px,
+          image.height_px, bytes, image.rgb.size());
+  OIIO::ImageSpec spec(image.width_px, image.height_px, 3, OIIO::TypeDesc::UINT8);
+  spec.attribute("oiio:ColorSpace", "sRGB");
+  write(path, "png", spec, image.rgb.data());
+}
+
+void write_png(const fs::path& path, const ColourImage& image) { write_png(path, to_srgb8(image)); }
+
+Rgb8Image read_png(const fs::path& path) {
+  const auto input = open(path);
+  const OIIO::ImageSpec& spec = input->spec();
+  if (spec.format != OIIO::TypeDesc::UINT8) {
+    cannot("read", path, fmt::format("expected 8 bits a channel, got {}", spec.format.c_str()));
+  }
+  Rgb8Image image{spec.width, spec.height, {}};
+  image.rgb.resize(static_cast<std::size_t>(spec.width) * spec.height * 3);
+  const auto pixels = read_pixels<std::uint8_t>(*input, path, OIIO::TypeDesc::UINT8);
+  for_each_rgb(pixels, spec.nchannels,
+               [&](std::size_t k, std::uint8_t r, std::uint8_t g, std::uint8_t b) {
+                 image.rgb[3 * k] = r;
+                 image.rgb[3 * k + 1] = g;
+                 image.rgb[3 * k + 2] = b;
+               });
+  return image;
+}
+
+ColourImage read_colour(const fs::path& path) {
+  const auto input = open(path);
+  const OIIO::ImageSpec& spec = input->spec();
+  const bool linear = spec.format.is_floating_point();
+  ColourImage image(spec.width, spec.height);
+  const auto pixels = read_pixels<float>(*input, path, OIIO::TypeDesc::FLOAT);
+  const auto light = [linear](float value) {
+    return linear ? value : static_cast<float>(srgb_to_linear(double{value}));
+  };
+  for_each_rgb(pixels, spec.nchannels, [&](std::size_t k, float r, float g, float b) {
+    image.r[k] = light(r);
+    image.g[k] = light(g);
+    image.b[k] = light(b);
+  });
+  return image;
+}
+
+}  // namespace plumb::image

@@ -1,0 +1,150 @@
+#include "raster/binning.h"
+
+#include <algorithm>
+
+#include "core/parallel.h"
+
+namespace plumb::raster {
+namespace {
+
+constexpr std::uint32_t kBlock = 8192;  // triangles
+
+std::array<glm::dvec3, 3> corners_from_eye(const Geometry& geometry, const Triangle& triangle) {
+  std::array<glm::dvec3, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i) {
+    corners[i] = geometry.projection.from_eye(geometry.mesh->vertices_m[triangle[i]]);
+  }
+  return corners;
+}
+
+}  // namespace
+
+PixelBox Tiling::box(int column, int row) const {
+  return {column * tile_px, row * tile_px, std::min((column + 1) * tile_px, width_px) - 1,
+          std::min((row + 1) * tile_px, height_px) - 1};
+}
+
+Tiling make_tiling(int width_px, int height_px, int tile_px) {
+  return {width_px, height_px, tile_px, (width_px + tile_px - 1) / tile_px,
+          (height_px + tile_px - 1) / tile_px};
+}
+
+void Binner::add(const std::array<ScreenVertex, 3>& corners, BinEntry entry, Block& block) const {
+  const PixelBox window{0, 0, tiling_.width_px - 1, tiling_.height_px - 1};
+  const PixelBox box = common_part(pixel_box(corners[0], corners[1], corners[2]), window);
+  if (box.empty() || doubled_area(corners[0], corners[1], corners[2]) == 0) return;
+  const auto tile_of = [this](int px) { return static_cast<std::uint16_t>(px / tiling_.tile_px); };
+  block.candidates.push_back(
+      {entry, tile_of(box.x0), tile_of(box.y0), tile_of(box.x1), tile_of(box.y1)});
+}
+
+void Binner::clip(std::uint32_t triangle, Block& block) const {
+  std::array<ClippedPiece, kMostPieces> pieces;
+  const int count =
+      clip_triangle(geometry_.projection,
+                    corners_from_eye(geometry_, geometry_.mesh->triangles[triangle]), pieces);
+  for (int k = 0; k < count; ++k) {
+    const ClippedPiece& piece = pieces[static_cast<std::size_t>(k)];
+    const std::size_t before = block.candidates.size();
+    add(piece.corners, {triangle, static_cast<std::int32_t>(block.pieces.size())}, block);
+    if (block.candidates.size() > before) block.pieces.push_back(piece);
+  }
+}
+
+void Binner::find_candidates(std::uint32_t first, std::uint32_t last, Block& block) const {
+  block.candidates.clear();
+  block.pieces.clear();
+  for (std::uint32_t triangle = first; triangle < last; ++triangle) {
+    const Triangle& corners = geometry_.mesh->triangles[triangle];
+    const ScreenVertex& a = geometry_.vertices[corners[0]];
+    const ScreenVertex& b = geometry_.vertices[corners[1]];
+    const ScreenVertex& c = geometry_.vertices[corners[2]];
+    if (a.x != kClipped && b.x != kClipped && c.x != kClipped) {
+      add({a, b, c}, {triangle, -1}, block);
+    } else if ((outcode_of(a) & outcode_of(b) & outcode_of(c)) == 0) {
+      clip(triangle, block);
+    }
+  }
+}
+
+std::array<ScreenVertex, 3> Binner::corners_of(const Candidate& candidate,
+                                               const Block& block) const {
+  if (candidate.entry.piece >= 0) {
+    return block.pieces[static_cast<std::size_t>(candidate.entry.piece)].corners;
+  }
+  const Triangle& corners = geometry_.mesh->triangles[candidate.entry.triangle];
+  return {geometry_.vertices[corners[0]], geometry_.vertices[corners[1]],
+          geometry_.vertices[corners[2]]};
+}
+
+template <class Visit>
+void Binner::for_each_tile(const Candidate& candidate, const Block& block,
+                           const Visit& visit) const {
+  const auto tile = [&](int column, int row) {
+    return static_cast<std::size_t>(row) * tiling_.columns + column;
+  };
+  if (candidate.column0 == candidate.column1 && candidate.row0 == candidate.row1) {
+    visit(tile(candidate.column0, candidate.row0));
+    return;
+  }
+  const EdgeFunctions edges = edge_functions(corners_of(candidate, block));
+  for (int row = candidate.row0; row <= candidate.row1; ++row) {
+    for (int column = candidate.column0; column <= candidate.column1; ++column) {
+      if (may_cover(edges, tiling_.box(column, row))) visit(tile(column, row));
+    }
+  }
+}
+
+// From counts by block and tile to the places of the entries: tile by tile, within a tile block by
+// block, so that the order is that of the mesh.
+void Binner::assign_places(std::size_t block_count) {
+  bins_.first.resize(tiling_.count() + 1);
+  std::size_t next = 0;
+  for (std::size_t tile = 0; tile < tiling_.count(); ++tile) {
+    bins_.first[tile] = next;
+    for (std::size_t b = 0; b < block_count; ++b) {
+      const std::size_t count = blocks_[b].places[tile];
+      blocks_[b].places[tile] = next;
+      next += count;
+    }
+  }
+  bins_.first[tiling_.count()] = next;
+  bins_.entries.resize(next);
+}
+
+void Binner::fill(Block& block, std::int32_t first_piece) {
+  for (const Candidate& candidate : block.candidates) {
+    BinEntry entry = candidate.entry;
+    if (entry.piece >= 0) entry.piece += first_piece;
+    for_each_tile(candidate, block,
+                  [&](std::size_t tile) { bins_.entries[block.places[tile]++] = entry; });
+  }
+}
+
+const Bins& Binner::bin(std::uint32_t first, std::uint32_t count) {
+  const std::size_t block_count = (std::size_t{count} + kBlock - 1) / kBlock;
+  if (blocks_.size() < block_count) blocks_.resize(block_count);
+  parallel_for(static_cast<std::int64_t>(block_count), 1, [&](std::int64_t b) {
+    Block& block = blocks_[static_cast<std::size_t>(b)];
+    const std::uint32_t begin = static_cast<std::uint32_t>(b) * kBlock;
+    find_candidates(first + begin, first + std::min(begin + kBlock, count), block);
+    block.places.assign(tiling_.count(), 0);
+    for (const Candidate& candidate : block.candidates) {
+      for_each_tile(candidate, block, [&](std::size_t tile) { ++block.places[tile]; });
+    }
+  });
+  assign_places(block_count);
+
+  std::vector<std::int32_t> first_piece(block_count);
+  bins_.pieces.clear();
+  for (std::size_t b = 0; b < block_count; ++b) {
+    first_piece[b] = static_cast<std::int32_t>(bins_.pieces.size());
+    bins_.pieces.insert(bins_.pieces.end(), blocks_[b].pieces.begin(), blocks_[b].pieces.end());
+  }
+  parallel_for(static_cast<std::int64_t>(block_count), 1, [&](std::int64_t b) {
+    fill(blocks_[static_cast<std::size_t>(b)], first_piece[static_cast<std::size_t>(b)]);
+  });
+  return bins_;
+}
+
+}  // namespace plumb::raster

@@ -1,0 +1,89 @@
+// Which triangles meet which tile of the window, in the order of the mesh.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/triangle_mesh.h"
+#include "raster/clip.h"
+#include "raster/fixed_point.h"
+#include "raster/vertex_stage.h"
+
+namespace plumb::raster {
+
+/// The window cut into square tiles, row by row from the top left; the last ones may be smaller.
+struct Tiling {
+  int width_px = 0, height_px = 0, tile_px = 64;
+  int columns = 0, rows = 0;
+
+  std::size_t count() const { return static_cast<std::size_t>(columns) * rows; }
+  PixelBox box(int column, int row) const;
+};
+
+Tiling make_tiling(int width_px, int height_px, int tile_px);
+
+/// Everything that the stages after the vertices read.
+struct Geometry {
+  const TriangleMesh* mesh = nullptr;
+  Projection projection;
+  std::vector<ScreenVertex> vertices;
+};
+
+/// A triangle, whole or a piece of it.
+struct BinEntry {
+  std::uint32_t triangle = 0;
+  std::int32_t piece = -1;  // index of Bins::pieces; -1 is the whole triangle
+};
+
+/// What to draw in each tile: entries [first[t], first[t + 1]) belong to tile t, in the order of
+/// the triangles.
+struct Bins {
+  std::vector<std::size_t> first;
+  std::vector<BinEntry> entries;
+  std::vector<ClippedPiece> pieces;
+
+  std::span<const BinEntry> of_tile(std::size_t tile) const {
+    return {entries.data() + first[tile], first[tile + 1] - first[tile]};
+  }
+};
+
+/// Sorts triangles into the tiles of the window, a chunk at a time so that memory stays bounded;
+/// in parallel, with the same bins for any number of threads.
+///
+/// Left out are triangles that cover no pixel centre by their box, and those of no area once
+/// snapped. A triangle that spans several tiles is entered where its edge functions reach.
+class Binner {
+ public:
+  Binner(const Geometry& geometry, const Tiling& tiling) : geometry_(geometry), tiling_(tiling) {}
+  /// The bins of triangles [first, first + count), valid until the next call.
+  const Bins& bin(std::uint32_t first, std::uint32_t count);
+
+ private:
+  struct Candidate {
+    BinEntry entry;
+    std::uint16_t column0, row0, column1, row1;  // of tiles
+  };
+  struct Block {  // of consecutive triangles, that one task takes
+    std::vector<Candidate> candidates;
+    std::vector<ClippedPiece> pieces;
+    std::vector<std::size_t> places;  // by tile: how many entries; then, where the next one goes
+  };
+
+  void find_candidates(std::uint32_t first, std::uint32_t last, Block& block) const;
+  void clip(std::uint32_t triangle, Block& block) const;
+  void add(const std::array<ScreenVertex, 3>& corners, BinEntry entry, Block& block) const;
+  std::array<ScreenVertex, 3> corners_of(const Candidate& candidate, const Block& block) const;
+  template <class Visit>
+  void for_each_tile(const Candidate& candidate, const Block& block, const Visit& visit) const;
+  void assign_places(std::size_t block_count);
+  void fill(Block& block, std::int32_t first_piece);
+
+  const Geometry& geometry_;
+  const Tiling& tiling_;
+  std::vector<Block> blocks_;
+  Bins bins_;
+};
+
+}  // namespace plumb::raster

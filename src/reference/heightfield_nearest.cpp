@@ -1,0 +1,116 @@
+#include "reference/heightfield_nearest.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "reference/triangle_distance.h"
+
+namespace plumb::reference {
+namespace {
+
+using terrain::Heightfield;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct Query {
+  glm::dvec3 point;
+  double best_squared;  // a little more than the radius at first
+  NearestPoint found;
+};
+
+double squared(double x) { return x * x; }
+
+double outside(double at, double low, double high) {
+  return at < low ? low - at : at > high ? at - high : 0.0;
+}
+
+void look_at_cell(Query& query, const Heightfield& field, terrain::Diagonal diagonal, int i,
+                  int j) {
+  const auto corner = [&](int a, int b) {
+    return glm::dvec3((i + a) * field.dx_m, (j + b) * field.dy_m, field.heights_m(i + a, j + b));
+  };
+  const glm::dvec3 sw = corner(0, 0), se = corner(1, 0), nw = corner(0, 1), ne = corner(1, 1);
+  const bool north_east = rises_north_east(diagonal, i, j);
+  const std::array<std::array<glm::dvec3, 3>, 2> halves{
+      {{sw, se, north_east ? ne : nw}, {north_east ? sw : se, ne, nw}}};
+  for (int half = 0; half < 2; ++half) {
+    const auto& [a, b, c] = halves[static_cast<std::size_t>(half)];
+    if (std::isnan(a.z + b.z + c.z)) continue;
+    const glm::dvec3 nearest = nearest_on_triangle(query.point, a, b, c),
+                     apart = nearest - query.point;
+    const double distance_squared = glm::dot(apart, apart);
+    if (distance_squared >= query.best_squared) continue;
+    query.best_squared = distance_squared;
+    query.found = {nearest, std::sqrt(distance_squared),
+                   terrain::triangle_index(field.cell_columns(), i, j, half)};
+  }
+}
+
+struct Node {
+  int level, i, j;
+  double distance_squared;
+};
+
+Node make_node(const Query& query, const Heightfield& field, const HeightPyramid& pyramid,
+               int level, int i, int j) {
+  const int i1 = std::min((i + 1) << level, field.cell_columns()),
+            j1 = std::min((j + 1) << level, field.cell_rows());
+  double up = 0.0;
+  if (level > 0) {
+    const HeightRange& range = pyramid.node(level, i, j);
+    up = range.empty() ? kInfinity : outside(query.point.z, range.low, range.high);
+  }
+  return {level, i, j,
+          squared(outside(query.point.x, (i << level) * field.dx_m, i1 * field.dx_m)) +
+              squared(outside(query.point.y, (j << level) * field.dy_m, j1 * field.dy_m)) +
+              squared(up)};
+}
+
+}  // namespace
+
+NearestPoint nearest_on_heightfield(const Heightfield& field, terrain::Diagonal diagonal,
+                                    const HeightPyramid& pyramid, const glm::dvec3& point_m,
+                                    double max_radius_m) {
+  // The radius itself still counts, and the roundings of a vertical distance do not lose the point
+  // that gave it.
+  Query query{point_m, squared(max_radius_m * (1.0 + 1e-9) + 1e-9), {}};
+  if (pyramid.root().empty()) return query.found;
+  std::array<Node, 4 * 32> stack;
+  std::size_t count = 0;
+  stack[count++] = make_node(query, field, pyramid, pyramid.top_level(), 0, 0);
+  while (count > 0) {
+    const Node node = stack[--count];
+    if (node.distance_squared >= query.best_squared) continue;
+    if (node.level == 0) {
+      look_at_cell(query, field, diagonal, node.i, node.j);
+      continue;
+    }
+    const int level = node.level - 1;
+    const int columns = level > 0 ? pyramid.columns(level) : field.cell_columns();
+    const int rows = level > 0 ? pyramid.rows(level) : field.cell_rows();
+    std::array<Node, 4> children;
+    std::size_t some = 0;
+    for (int j = 2 * node.j; j < std::min(2 * node.j + 2, rows); ++j) {
+      for (int i = 2 * node.i; i < std::min(2 * node.i + 2, columns); ++i) {
+        const Node child = make_node(query, field, pyramid, level, i, j);
+        if (child.distance_squared < query.best_squared) children[some++] = child;
+      }
+    }
+    // The nearest on top of the stack.
+    for (std::size_t k = 1; k < some; ++k) {
+      for (std::size_t at = k;
+           at > 0 && children[at - 1].distance_squared < children[at].distance_squared; --at) {
+        std::swap(children[at - 1], children[at]);
+      }
+    }
+    for (std::size_t k = 0; k < some; ++k) stack[count++] = children[k];
+  }
+  return query.found;
+}
+
+}  // namespace plumb::reference

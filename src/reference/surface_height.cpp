@@ -1,0 +1,126 @@
+#include "reference/surface_height.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/parallel.h"
+#include "core/triangle_mesh.h"
+
+namespace plumb::reference {
+namespace {
+
+using terrain::Diagonal;
+using terrain::Heightfield;
+
+constexpr double kBorder = 1e-9;  // cells
+
+struct Half {
+  double height;
+  bool contains;
+};
+
+// Height at (a, b) in [0, 1]^2 of one half of the cell at (i, j), as a sum of corner heights
+// weighted by nearness.
+Half half_at(const Heightfield& field, bool north_east, int half, int i, int j, double a,
+             double b) {
+  const double sw = field.heights_m(i, j), se = field.heights_m(i + 1, j);
+  const double nw = field.heights_m(i, j + 1), ne = field.heights_m(i + 1, j + 1);
+  if (north_east) {
+    if (half == 0) return {(1.0 - a) * sw + (a - b) * se + b * ne, a >= b};
+    return {(1.0 - b) * sw + a * ne + (b - a) * nw, b >= a};
+  }
+  if (half == 0) return {(1.0 - a - b) * sw + a * se + b * nw, a + b <= 1.0};
+  return {(1.0 - b) * se + (a + b - 1.0) * ne + (1.0 - a) * nw, a + b >= 1.0};
+}
+
+struct Place {
+  int cell;
+  double fraction;
+};
+
+// The cell that holds a grid coordinate; -1 if none does.
+Place locate(double coordinate, int cells) {
+  if (!(coordinate >= -kBorder && coordinate <= cells + kBorder) || cells == 0) return {-1, 0.0};
+  const int cell = std::clamp(static_cast<int>(std::floor(coordinate)), 0, cells - 1);
+  return {cell, std::clamp(coordinate - cell, 0.0, 1.0)};
+}
+
+SurfacePoint in_cell(const Heightfield& field, Diagonal diagonal, int i, int j, double a,
+                     double b) {
+  const bool north_east = rises_north_east(diagonal, i, j);
+  for (int half = 0; half < 2; ++half) {
+    const Half found = half_at(field, north_east, half, i, j, a, b);
+    if (found.contains && !std::isnan(found.height)) {
+      return {found.height, terrain::triangle_index(field.cell_columns(), i, j, half)};
+    }
+  }
+  return {std::numeric_limits<double>::quiet_NaN(), kNoPrimitive};
+}
+
+}  // namespace
+
+SurfacePoint surface_at(const Heightfield& field, Diagonal diagonal, double x_m, double y_m) {
+  const Place x = locate(x_m / field.dx_m, field.cell_columns()),
+              y = locate(y_m / field.dy_m, field.cell_rows());
+  if (x.cell < 0 || y.cell < 0) return {std::numeric_limits<double>::quiet_NaN(), kNoPrimitive};
+  const SurfacePoint here = in_cell(field, diagonal, x.cell, y.cell, x.fraction, y.fraction);
+  // On a grid line the cell to the west or south has its say where this one is void.
+  const bool on_column = x.fraction < kBorder && x.cell > 0,
+             on_row = y.fraction < kBorder && y.cell > 0;
+  if (here.triangle != kNoPrimitive || (!on_column && !on_row)) return here;
+  SurfacePoint found = here;
+  if (on_row) found = in_cell(field, diagonal, x.cell, y.cell - 1, x.fraction, 1.0);
+  if (found.triangle == kNoPrimitive && on_column)
+    found = in_cell(field, diagonal, x.cell - 1, y.cell, 1.0, y.fraction);
+  if (found.triangle == kNoPrimitive && on_column && on_row)
+    found = in_cell(field, diagonal, x.cell - 1, y.cell - 1, 1.0, 1.0);
+  return found;
+}
+
+bool exists_at(const Heightfield& field, Diagonal diagonal, double x_m, double y_m) {
+  return surface_at(field, diagonal, x_m, y_m).triangle != kNoPrimitive;
+}
+
+double evaluation_slack_m(const Heightfield& field) {
+  struct Extremes {
+    double height = 0.0, slope = 0.0;
+  };
+  const Extremes found = parallel_ordered_reduce(
+      field.rows(), 64, Extremes{},
+      [&](std::int64_t begin, std::int64_t end, Extremes e) {
+        for (int j = static_cast<int>(begin); j < end; ++j) {
+          for (int i = 0; i < field.columns(); ++i) {
+            const double here = field.heights_m(i, j);
+            if (std::isnan(here)) continue;
+            e.height = std::max(e.height, std::abs(here));
+            const double east = i + 1 < field.columns() ? field.heights_m(i + 1, j) - here : 0.0;
+            const double north = j + 1 < field.rows() ? field.heights_m(i, j + 1) - here : 0.0;
+            if (!std::isnan(east)) e.slope = std::max(e.slope, std::abs(east) / field.dx_m);
+            if (!std::isnan(north)) e.slope = std::max(e.slope, std::abs(north) / field.dy_m);
+          }
+        }
+        return e;
+      },
+      [](Extremes a, Extremes b) {
+        return Extremes{std::max(a.height, b.height), std::max(a.slope, b.slope)};
+      });
+  const double ulp = std::numeric_limits<double>::epsilon();
+  const double extent = std::max(field.cell_columns() * field.dx_m, field.cell_rows() * field.dy_m);
+  return ulp * (16.0 * found.height + 32.0 * extent * found.slope);
+}
+
+glm::dvec3 triangle_normal(const Heightfield& field, Diagonal diagonal, std::uint32_t triangle) {
+  const auto cell = static_cast<int>(triangle / 2), cells = field.cell_columns();
+  const int i = cell % cells, j = cell / cells, half = static_cast<int>(triangle & 1u);
+  const double sw = field.heights_m(i, j), se = field.heights_m(i + 1, j);
+  const double nw = field.heights_m(i, j + 1), ne = field.heights_m(i + 1, j + 1);
+  const bool north_east = rises_north_east(diagonal, i, j);
+  const double across = (half == 0 ? se - sw : ne - nw) / field.dx_m;
+  const double up = ((half == 0) == north_east ? ne - se : nw - sw) / field.dy_m;
+  const double length = std::sqrt(across * across + up * up + 1.0);
+  return {-across / length, -up / length, 1.0 / length};
+}
+
+}  // namespace plumb::reference

@@ -1,0 +1,93 @@
+// The parts of a page that show pictures.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/check.h"
+#include "report/base64.h"
+#include "report/html_page.h"
+#include "report/html_parts.h"
+
+namespace plumb::report {
+namespace {
+
+// The first bytes of every PNG file: signature, then the header chunk with its length and name.
+constexpr std::array<std::uint8_t, 16> kPngStart{0x89, 'P', 'N', 'G', 0x0d, 0x0a, 0x1a, 0x0a,
+                                                 0,    0,   0,   13,  'I',  'H',  'D',  'R'};
+
+int big_endian_int(std::span<const std::uint8_t> bytes) {
+  return static_cast<int>((unsigned{bytes[0]} << 24) | (unsigned{bytes[1]} << 16) |
+                          (unsigned{bytes[2]} << 8) | unsigned{bytes[3]});
+}
+
+std::string figure(const Viewer& viewer, const ViewerImage& image) {
+  const std::string name = escape_html(image.name);
+  std::string html = fmt::format(
+      "<figure><img class=\"pixels\" src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}\" "
+      "data-name=\"{}\">",
+      png_address(image.png, image.name, viewer.width_px, viewer.height_px), viewer.width_px,
+      viewer.height_px, name, name);
+  if (!image.legend_png.empty()) {
+    html += fmt::format("<img class=\"legend\" src=\"{}\" alt=\"legend of {}\">",
+                        png_address(image.legend_png, image.name), name);
+  }
+  html += fmt::format("<figcaption><strong>{}</strong> {}</figcaption></figure>\n", name,
+                      escape_html(image.note));
+  return html;
+}
+
+}  // namespace
+
+std::string png_address(std::span<const std::uint8_t> png, std::string_view name, int width_px,
+                        int height_px) {
+  require(png.size() > 24 && std::equal(kPngStart.begin(), kPngStart.end(), png.begin()),
+          "the picture '{}' is no PNG ({} bytes)", name, png.size());
+  const int columns = big_endian_int(png.subspan(16, 4)), rows = big_endian_int(png.subspan(20, 4));
+  require(width_px == 0 || (columns == width_px && rows == height_px),
+          "the picture '{}' must be {} x {}, got {} x {}", name, width_px, height_px, columns,
+          rows);
+  return "data:image/png;base64," + base64(png);
+}
+
+void require_id(std::string_view id) {
+  const auto allowed = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+  };
+  require(!id.empty() && std::all_of(id.begin(), id.end(), allowed),
+          "an id is made of letters, digits and hyphens, got '{}'", id);
+}
+
+void HtmlPage::add_viewer(const Viewer& viewer) {
+  require_id(viewer.id);
+  require(viewer.width_px >= 1 && viewer.height_px >= 1,
+          "a viewer's pictures need a pixel or more, got {} x {}", viewer.width_px,
+          viewer.height_px);
+  std::string html = fmt::format(
+      "<section class=\"viewer\" id=\"{}\" data-width=\"{}\" data-height=\"{}\" "
+      "aria-label=\"{}\">\n<h3>{}</h3>\n<div class=\"figures\">\n",
+      viewer.id, viewer.width_px, viewer.height_px, escape_html(viewer.caption),
+      escape_html(viewer.caption));
+  for (const ViewerImage& image : viewer.images) html += figure(viewer, image);
+  body_ += html + "</div>\n</section>\n";
+}
+
+void HtmlPage::add_offenders(const OffenderList& list) {
+  require_id(list.viewer_id);
+  std::string html = fmt::format(
+      "<div class=\"scroll\"><table class=\"offenders\"><caption>{}</caption><thead><tr>"
+      "<th scope=\"col\" class=\"number\">#</th><th scope=\"col\" class=\"number\">pixel</th>{}"
+      "</tr></thead><tbody>\n",
+      escape_html(list.caption), header_cells(list.columns));
+  int rank = 0;
+  for (const Offender& offender : list.offenders) {
+    html += fmt::format(
+        "<tr><td class=\"number\">{}</td><td class=\"number\"><a href=\"#{}\" data-viewer=\"{}\" "
+        "data-x=\"{}\" data-y=\"{}\">{}, {}</a></td>{}</tr>\n",
+        ++rank, list.viewer_id, list.viewer_id, offender.x_px, offender.y_px, offender.x_px,
+        offender.y_px, body_cells(list.columns, offender.cells));
+  }
+  body_ += html + "</tbody></table></div>\n";
+}
+
+}  // namespace plumb::report

@@ -1,0 +1,50 @@
+// GDAL's datasets without GDAL's headers. Not for users of the library.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "terrain/georeference.h"
+
+class GDALDataset;
+
+namespace plumb::terrain {
+
+/// Collects what GDAL complains of on this thread while it lives, in place of its standard error.
+class Complaints {
+ public:
+  Complaints();
+  ~Complaints();
+  Complaints(const Complaints&) = delete;
+  Complaints& operator=(const Complaints&) = delete;
+
+  void add(const std::string& message, bool is_warning);
+  /// " (GDAL: what it said)", one line, failures before warnings; empty if it said nothing.
+  std::string text() const;
+
+ private:
+  std::string failures_, warnings_;
+};
+
+struct CloseDataset {
+  void operator()(GDALDataset* dataset) const;
+};
+using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
+
+/// A file with at least one raster. Throws InputError with the complaints.
+Dataset open_dataset(const std::string& file, const Complaints& complaints);
+
+/// What a dataset says about its place.
+FileGeoreference georeference_of(GDALDataset& dataset);
+
+/// The heights of a window of `source`, resampled (bilinear; voids are NaN) into options.crs, in
+/// memory. Throws InputError that names `file` if either coordinate system is unknown.
+struct Reprojected {
+  Dataset copy;    // of the heights, where they stood
+  Dataset result;  // reads the copy as it is read, so it goes first
+};
+Reprojected reproject(const Heightfield& heights, GDALDataset& source, const Window& window,
+                      const std::string& crs, const std::string& file,
+                      const Complaints& complaints);
+
+}  // namespace plumb::terrain

@@ -1,0 +1,128 @@
+#include "terrain/sample_decoding.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "core/check.h"
+#include "core/parallel.h"
+#include "terrain/memory_check.h"
+
+namespace plumb::terrain {
+namespace {
+
+constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
+constexpr double kDeepest_m = -12000.0;  // no place on earth lies lower, or higher than the next
+constexpr double kHighest_m = 9000.0;
+
+bool fits_float(double value) {
+  return std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max());
+}
+
+bool is_no_data(double value, const SampleCoding& coding) {
+  for (const auto& no_data : coding.no_data) {
+    if (!no_data) continue;
+    if (std::isnan(*no_data) ? std::isnan(value) : value == *no_data) return true;
+    if (coding.stored_as_float32 && fits_float(*no_data) && fits_float(value) &&
+        static_cast<float>(value) == static_cast<float>(*no_data)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void add_to(DecodingTally& sum, const DecodingTally& more) {
+  sum.voids_declared += more.voids_declared;
+  sum.voids_not_finite += more.voids_not_finite;
+  sum.beyond_earth += more.beyond_earth;
+  sum.largest_rounding_m = std::max(sum.largest_rounding_m, more.largest_rounding_m);
+}
+
+}  // namespace
+
+DecodingTally decode_samples(std::span<const double> stored, std::span<const std::uint8_t> mask,
+                             const SampleCoding& coding, std::span<float> heights_m) {
+  DecodingTally tally;
+  for (std::size_t k = 0; k < stored.size(); ++k) {
+    heights_m[k] = kVoid;
+    if ((!mask.empty() && mask[k] == 0) || is_no_data(stored[k], coding)) {
+      ++tally.voids_declared;
+      continue;
+    }
+    const double height = stored[k] * coding.scale + coding.offset_m;
+    if (!fits_float(height)) {  // false for NaN
+      ++tally.voids_not_finite;
+      continue;
+    }
+    heights_m[k] = static_cast<float>(height);
+    tally.largest_rounding_m =
+        std::max(tally.largest_rounding_m, std::abs(static_cast<double>(heights_m[k]) - height));
+    if (height < kDeepest_m || height > kHighest_m) ++tally.beyond_earth;
+  }
+  return tally;
+}
+
+double decode_colour(Decode decode, int red, int green, int blue) {
+  const int code = 65536 * red + 256 * green + blue;
+  if (decode == Decode::TerrainRgb) return (code - 100000) / 10.0;
+  require(decode == Decode::Terrarium, "a colour is decoded as terrain-rgb or terrarium, not as {}",
+          name_of(decode));
+  return code / 256.0 - 32768.0;
+}
+
+SampleCoding with_options(SampleCoding of_file, const ReadOptions& options) {
+  of_file.scale *= options.height_scale;
+  of_file.offset_m = of_file.offset_m * options.height_scale + options.height_offset_m;
+  of_file.no_data[1] = options.no_data;
+  return of_file;
+}
+
+HeightfieldBuilder::HeightfieldBuilder(const std::string& name, int columns, int rows,
+                                       const SampleCoding& coding, bool rows_run_south)
+    : coding_(coding), rows_run_south_(rows_run_south) {
+  require_memory(name, columns, rows, sizeof(float));
+  field_.heights_m = Grid<float>(columns, rows, kVoid);
+}
+
+void HeightfieldBuilder::add(int first_row, const StoredRows& rows) {
+  const auto columns = static_cast<std::size_t>(field_.columns());
+  const std::size_t count = rows.values.size() / columns;
+  std::vector<DecodingTally> tallies(count);
+  parallel_for(static_cast<std::int64_t>(count), 4, [&](std::int64_t k) {
+    const auto row = static_cast<std::size_t>(k);
+    const int in_file = first_row + static_cast<int>(k);
+    const int in_memory = rows_run_south_ ? field_.rows() - 1 - in_file : in_file;
+    const auto mask = rows.mask.empty() ? rows.mask : rows.mask.subspan(row * columns, columns);
+    tallies[row] = decode_samples(rows.values.subspan(row * columns, columns), mask, coding_,
+                                  field_.heights_m.row(in_memory));
+  });
+  for (const DecodingTally& tally : tallies) add_to(tally_, tally);
+}
+
+Heightfield HeightfieldBuilder::finish() {
+  Provenance& provenance = field_.provenance;
+  provenance.height_scale = coding_.scale;
+  provenance.height_offset_m = coding_.offset_m;
+  provenance.voids_declared = tally_.voids_declared;
+  provenance.voids_not_finite = tally_.voids_not_finite;
+  provenance.largest_rounding_m = tally_.largest_rounding_m;
+  if (tally_.beyond_earth > 0) {
+    provenance.assumptions.push_back(fmt::format(
+        "{} samples lie below -12000 m or above 9000 m, as no place on earth does, and were taken "
+        "as heights: --nodata makes a stored value void, --height-scale changes the unit",
+        tally_.beyond_earth));
+  }
+  return std::move(field_);
+}
+
+int rows_per_chunk(int columns, int block_rows) {
+  constexpr std::int64_t kSamples = 512 * 1024;
+  const std::int64_t wanted = std::max<std::int64_t>(1, kSamples / std::max(1, columns));
+  const std::int64_t block = std::clamp<std::int64_t>(block_rows, 1, 4096);
+  const std::int64_t blocks = (wanted + block - 1) / block;
+  return static_cast<int>(blocks * block);
+}
+
+}  // namespace plumb::terrain

@@ -1,0 +1,58 @@
+// Every way in which the command ends, and what it says then.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/run_command.h"
+
+namespace plumb::testing {
+namespace {
+
+// One line that begins with "plumb: ", and nothing on standard output.
+void expect_one_error_line(const CommandResult& result, const std::string& part) {
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(result.err.rfind("plumb: ", 0), 0u) << result.err;
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+  EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
+}
+
+TEST(ExitStatus, IsZeroWhenAllIsWell) {
+  const CommandResult result = run_plumb({"info", "generate:plane?size=9"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.err, "");
+  EXPECT_NE(result.out.find("9 x 9 samples"), std::string::npos);
+}
+
+TEST(ExitStatus, IsTwoForWhatIsWrongWithTheCommandLine) {
+  expect_one_error_line(run_plumb({"inform"}), "unknown command 'inform'");
+  expect_one_error_line(run_plumb({"info"}), "TERRAIN is required");
+  expect_one_error_line(run_plumb({"info", "generate:plane", "--fast"}), "unknown option '--fast'");
+  expect_one_error_line(run_plumb({"info", "generate:plane", "--threads", "no"}), "--threads 'no'");
+  expect_one_error_line(run_plumb({"info", "generate:plane", "--preview", "a.jpg"}), ".png");
+}
+
+TEST(ExitStatus, IsTwoForWhatIsWrongWithTheInput) {
+  expect_one_error_line(run_plumb({"info", "no-such-file.tif"}), "no-such-file.tif");
+  expect_one_error_line(run_plumb({"info", "generate:planet"}), "planet");
+  expect_one_error_line(run_plumb({"info", "generate:plane?sise=9"}), "sise");
+  expect_one_error_line(run_plumb({"info", PLUMB_SOURCE_DIR "/LICENSE"}), "LICENSE");
+  expect_one_error_line(run_plumb({"info", PLUMB_SOURCE_DIR}), PLUMB_SOURCE_DIR);
+}
+
+TEST(ExitStatus, IsTwoIfTheResultCannotBeWritten) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  const CommandResult full = run_command(
+      {"sh", "-c", "exec \"$0\" info 'generate:plane?size=9' > /dev/full", PLUMB_BIN_DIR "/plumb"});
+  expect_one_error_line(full, "cannot write to standard output: No space left on device");
+  expect_one_error_line(
+      run_plumb({"info", "generate:plane?size=9", "--preview", "/no/such/folder/a.png"}),
+      "/no/such/folder/a.png");
+}
+
+TEST(ExitStatus, IsTwoForATerrainThatDoesNotFitIntoMemory) {
+  expect_one_error_line(run_plumb({"info", "generate:plane?size=40000&spacing=1"}), "bytes");
+}
+
+}  // namespace
+}  // namespace plumb::testing

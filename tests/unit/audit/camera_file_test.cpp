@@ -1,0 +1,161 @@
+#include "audit/camera_file.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "core/check.h"
+#include "support/run_command.h"
+#include "terrain/camera_presets.h"
+
+namespace plumb::audit {
+namespace {
+
+constexpr const char* kWhole = R"(# a camera
+eye = [1, 2.5, 300]
+target = [4, 5, 6]
+up = [0.0, 1.0, 0.0]
+fov_y_deg = 35
+width = 640
+height = 480
+near = 0.5
+far = 1e5
+)";
+
+terrain::Heightfield hill() {
+  terrain::Heightfield field;
+  field.heights_m = Grid<float>(17, 17, 10.0f);
+  field.heights_m(8, 8) = 40.0f;
+  field.dx_m = field.dy_m = 20.0;
+  return field;
+}
+
+std::string error_of(const std::string& text) {
+  try {
+    parse_camera_toml(text, "c.toml");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string numbers_error(const std::string& text) {
+  try {
+    parse_camera_numbers(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(CameraFile, GivesEveryValueThatItHolds) {
+  const CameraDescription camera = parse_camera_toml(kWhole, "c.toml");
+  EXPECT_EQ(camera.eye_m, glm::dvec3(1, 2.5, 300));
+  EXPECT_EQ(camera.target_m, glm::dvec3(4, 5, 6));
+  EXPECT_EQ(camera.up, glm::dvec3(0, 1, 0));
+  EXPECT_EQ(camera.fov_y_deg, 35.0);
+  EXPECT_EQ(camera.width_px, 640);
+  EXPECT_EQ(camera.height_px, 480);
+  EXPECT_EQ(camera.near_m, 0.5);
+  EXPECT_EQ(camera.far_m, 1e5);
+  EXPECT_EQ(camera.preset, "");
+}
+
+TEST(CameraFile, BecomesTheCameraThatItDescribes) {
+  const LookAt camera = resolve_camera(parse_camera_toml(kWhole, "c.toml"), hill());
+  EXPECT_EQ(camera.eye_m, glm::dvec3(1, 2.5, 300));
+  EXPECT_EQ(camera.up, glm::dvec3(0, 1, 0));
+  EXPECT_EQ(camera.width_px, 640);
+  EXPECT_EQ(camera.near_m, 0.5);
+  EXPECT_EQ(camera.far_m, 1e5);
+}
+
+TEST(CameraFile, LeavesTheDefaultsWhereItSaysNothing) {
+  const LookAt camera =
+      resolve_camera(parse_camera_toml("eye = [0, 0, 9]\ntarget = [1, 1, 0]", "c"), hill());
+  EXPECT_EQ(camera.width_px, 1920);
+  EXPECT_EQ(camera.height_px, 1080);
+  EXPECT_EQ(camera.fov_y_deg, 50.0);
+  EXPECT_EQ(camera.up, glm::dvec3(0, 0, 1));
+  EXPECT_EQ(camera.near_m, LookAt{}.near_m);
+}
+
+TEST(CameraFile, MayNameAPreset) {
+  const LookAt camera =
+      resolve_camera(parse_camera_toml("preset = \"top\"\nwidth = 100\nheight = 50", "c"), hill());
+  const LookAt preset = terrain::preset_camera(hill(), "top", 100, 50, 50.0);
+  EXPECT_EQ(camera.eye_m, preset.eye_m);
+  EXPECT_EQ(camera.near_m, preset.near_m);
+  EXPECT_EQ(camera.width_px, 100);
+}
+
+TEST(CameraFile, NamesTheKnownKeysForAnUnknownOne) {
+  EXPECT_EQ(error_of("eye = [0,0,1]\ntarget = [1,1,1]\nfov = 40"),
+            "c.toml, line 3: fov: unknown key; a camera has eye, target, up, fov_y_deg, width, "
+            "height, near, far, preset");
+}
+
+TEST(CameraFile, SaysWhereAValueIsOfTheWrongKind) {
+  EXPECT_EQ(error_of("eye = [0, 0]\n"), "c.toml, line 1: eye: expected three numbers, [x, y, z]");
+  EXPECT_EQ(error_of("eye = [0, 0, \"1\"]\n"), "c.toml, line 1: eye: expected a number");
+  EXPECT_EQ(error_of("eye = [0, 0, inf]\n"), "c.toml, line 1: eye: expected finite numbers");
+  EXPECT_EQ(error_of("\nwidth = 1.5\n"),
+            "c.toml, line 2: width: expected a whole number from 1 to 65536");
+  EXPECT_EQ(error_of("height = 0\n"),
+            "c.toml, line 1: height: expected a whole number from 1 to 65536");
+  EXPECT_EQ(error_of("fov_y_deg = true\n"), "c.toml, line 1: fov_y_deg: expected a number");
+  EXPECT_EQ(error_of("preset = 3\n"), "c.toml, line 1: preset: expected a name in quotes");
+  EXPECT_EQ(error_of("eye = [0, 0\n").rfind("c.toml, line ", 0), 0u);
+}
+
+TEST(CameraFile, WantsEitherAPresetOrEyeAndTarget) {
+  EXPECT_EQ(error_of("eye = [0, 0, 1]\n"), "c.toml: a camera needs eye and target, or a preset");
+  EXPECT_EQ(error_of(""), "c.toml: a camera needs eye and target, or a preset");
+  EXPECT_EQ(error_of("preset = \"top\"\neye = [0, 0, 1]\n"),
+            "c.toml: a camera has either a preset or eye, target and up, not both");
+}
+
+TEST(CameraFile, IsReadFromDisk) {
+  const testing::TemporaryFolder folder;
+  std::ofstream(folder.file("c.toml")) << kWhole;
+  EXPECT_EQ(read_camera_file(folder.file("c.toml")), parse_camera_toml(kWhole, ""));
+  EXPECT_THROW(read_camera_file(folder.file("none.toml")), InputError);
+  EXPECT_THROW(read_camera_file(folder.path().string()), InputError);
+}
+
+TEST(CameraNumbers, AreSixOrSeven) {
+  const auto camera = parse_camera_numbers("-1,2.5,3e2,4,5,6");
+  ASSERT_TRUE(camera.has_value());
+  EXPECT_EQ(camera->eye_m, glm::dvec3(-1, 2.5, 300));
+  EXPECT_EQ(camera->target_m, glm::dvec3(4, 5, 6));
+  EXPECT_FALSE(camera->fov_y_deg.has_value());
+  EXPECT_EQ(parse_camera_numbers("1,2,3,4,5,6,70")->fov_y_deg, 70.0);
+  EXPECT_FALSE(parse_camera_numbers("oblique").has_value());
+}
+
+TEST(CameraNumbers, AreRefusedIfTheyAreNot) {
+  EXPECT_EQ(numbers_error("1,2,3"),
+            "camera '1,2,3': expected six or seven numbers, ex,ey,ez,tx,ty,tz[,fov]");
+  EXPECT_EQ(numbers_error("1,2,3,4,5,6,"),
+            "camera '1,2,3,4,5,6,': expected six or seven numbers, ex,ey,ez,tx,ty,tz[,fov]");
+  EXPECT_EQ(numbers_error("1,2,3,4,5,x"), "camera '1,2,3,4,5,x': 'x' is not a finite number");
+  EXPECT_EQ(numbers_error("1,2,3,4,5,nan"), "camera '1,2,3,4,5,nan': 'nan' is not a finite number");
+}
+
+TEST(ResolveCamera, RefusesWhatIsNoCamera) {
+  const auto resolve = [](const std::string& more) {
+    return resolve_camera(parse_camera_toml("eye = [0, 0, 1]\ntarget = [1, 0, 0]\n" + more, "c"),
+                          hill());
+  };
+  EXPECT_NO_THROW(resolve(""));
+  EXPECT_THROW(resolve("fov_y_deg = 180"), InputError);
+  EXPECT_THROW(resolve("fov_y_deg = nan"), InputError);
+  EXPECT_THROW(resolve("near = 0"), InputError);
+  EXPECT_THROW(resolve("near = 5\nfar = 5"), InputError);
+  EXPECT_THROW(resolve("up = [0, 0, 0]"), InputError);
+  EXPECT_THROW(resolve_camera(*parse_camera_numbers("1,2,3,1,2,3"), hill()), InputError);
+  EXPECT_THROW(resolve_camera(parse_camera_toml("preset = \"sideways\"", "c"), hill()), InputError);
+}
+
+}  // namespace
+}  // namespace plumb::audit

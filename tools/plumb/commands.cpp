@@ -1,0 +1,7 @@
+#include "command.h"
+
+namespace plumb::tool {
+
+std::vector<Command> all_commands() { return {info_command()}; }
+
+}  // namespace plumb::tool

@@ -1,0 +1,118 @@
+#include "common_options.h"
+
+#include <filesystem>
+
+#include "audit/camera_file.h"
+#include "core/check.h"
+#include "core/number_text.h"
+#include "terrain/terrain_source.h"
+
+namespace plumb::tool {
+
+void add_terrain_options(Options& options, TerrainOptions& terrain, bool with_diagonal) {
+  options.argument(terrain.terrain, "TERRAIN",
+                   "An elevation file, or a generator: 'generate:alpine?size=2049&seed=7'");
+  options.group("Terrain");
+  options.text(terrain.window, "--window", "X,Y,W,H",
+               "Only this part, in the file's columns and rows from its top left");
+  options.text(terrain.spacing, "--spacing", "DX[,DY]",
+               "Metres between samples, in place of what the file says");
+  options.integer(terrain.band, "--band", "N", "Band of the file (1)", 1, 65535);
+  options.choice(terrain.decode, "--decode", {"grey", "terrain-rgb", "terrarium"},
+                 "What the channels of an image mean");
+  options.number(terrain.height_scale, "--height-scale", "FACTOR", "Metres per stored unit (1)");
+  options.number(terrain.height_offset_m, "--height-offset", "M",
+                 "Metres added to every height (0)");
+  options.number(terrain.no_data, "--nodata", "V", "A stored value that means: no height here");
+  options.choice(terrain.no_data_policy, "--no-data", {"hole", "fill"},
+                 "What stands where there is no height (hole)");
+  options.text(terrain.crs, "--crs", "EPSG:N", "Reproject into this system first");
+  options.text(terrain.raw_size, "--raw", "WxH", "Size of a .r16 or .r32 file");
+  options.choice(terrain.byte_order, "--byte-order", {"little", "big"},
+                 "Byte order of a .r16 or .r32 file (little)");
+  if (with_diagonal) {
+    options.choice(terrain.diagonal, "--diagonal", {"alternating", "fixed", "blocks:8"},
+                   "Which diagonal cuts a cell of the full-detail surface (alternating)");
+  }
+}
+
+terrain::ReadOptions read_options(const TerrainOptions& options) {
+  terrain::ReadOptions read;
+  if (!options.window.empty()) read.window = terrain::parse_window(options.window);
+  if (!options.spacing.empty()) {
+    const terrain::Spacing spacing = terrain::parse_spacing(options.spacing);
+    read.spacing_x_m = spacing.x_m;
+    read.spacing_y_m = spacing.y_m;
+  }
+  read.band = options.band;
+  if (!options.decode.empty()) read.decode = terrain::parse_decode(options.decode);
+  read.height_scale = options.height_scale;
+  read.height_offset_m = options.height_offset_m;
+  read.no_data = options.no_data;
+  if (!options.no_data_policy.empty())
+    read.no_data_policy = terrain::parse_no_data_policy(options.no_data_policy);
+  read.crs = options.crs;
+  if (!options.raw_size.empty()) read.raw_size = terrain::parse_raw_size(options.raw_size);
+  if (!options.byte_order.empty()) read.byte_order = terrain::parse_byte_order(options.byte_order);
+  return read;
+}
+
+terrain::Heightfield load(const TerrainOptions& options, bool require_spacing) {
+  terrain::ReadOptions read = read_options(options);
+  read.require_spacing = require_spacing;
+  return terrain::load_terrain(options.terrain, read);
+}
+
+void add_camera_options(Options& options, CameraOptions& camera) {
+  options.group("Camera");
+  options.text(camera.camera, "--camera", "CAMERA",
+               "A preset (oblique, top, grazing, valley), a TOML file, or the numbers "
+               "ex,ey,ez,tx,ty,tz[,fov] (oblique)");
+  options.text(camera.size, "--size", "WxH", "Size of the image in pixels (1920x1080)");
+  options.number(camera.fov_y_deg, "--fov", "DEG", "Vertical field of view (50)");
+}
+
+LookAt look_at(const CameraOptions& options, const terrain::Heightfield& field) {
+  audit::CameraDescription camera;
+  std::error_code ignored;
+  if (options.camera.ends_with(".toml") ||
+      std::filesystem::is_regular_file(options.camera, ignored)) {
+    camera = audit::read_camera_file(options.camera);
+  } else if (const auto numbers = audit::parse_camera_numbers(options.camera)) {
+    camera = *numbers;
+  } else {
+    camera.preset = options.camera;
+  }
+  if (!options.size.empty()) {
+    const ImageSize size = parse_size(options.size);
+    camera.width_px = size.width_px;
+    camera.height_px = size.height_px;
+  }
+  if (options.fov_y_deg) camera.fov_y_deg = options.fov_y_deg;
+  return audit::resolve_camera(camera, field);
+}
+
+void add_threads_option(Options& options, int& threads) {
+  options.integer(threads, "--threads", "N", "Threads to use (all)", 1, 65536);
+}
+
+void add_json_option(Options& options, bool& json) {
+  options.flag(json, "--json", "Print one JSON object in place of the table");
+}
+
+void add_output_option(Options& options, std::string& output, const std::string& help) {
+  options.text(output, "-o,--output", "PATH", help);
+}
+
+ImageSize parse_size(const std::string& text) {
+  const std::size_t cross = text.find('x');
+  if (cross != std::string::npos) {
+    const auto width = parse_integer(std::string_view(text).substr(0, cross));
+    const auto height = parse_integer(std::string_view(text).substr(cross + 1));
+    if (width && height && *width >= 1 && *width <= 65536 && *height >= 1 && *height <= 65536)
+      return {static_cast<int>(*width), static_cast<int>(*height)};
+  }
+  input_error("size '{}': expected WIDTHxHEIGHT in pixels, each from 1 to 65536", text);
+}
+
+}  // namespace plumb::tool

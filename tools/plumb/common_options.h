@@ -1,0 +1,57 @@
+// Options that several subcommands share, with one wording.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/camera.h"
+#include "options.h"
+#include "terrain/heightfield.h"
+#include "terrain/read_options.h"
+
+namespace plumb::tool {
+
+/// The terrain, and how it is to be read.
+struct TerrainOptions {
+  std::string terrain;
+  std::string window, spacing, decode, crs, raw_size, byte_order, no_data_policy;
+  int band = 1;
+  double height_scale = 1.0;
+  double height_offset_m = 0.0;
+  std::optional<double> no_data;
+  std::string diagonal = "alternating";
+};
+
+/// Declares TERRAIN and the options that speak of it; `with_diagonal` where the command cuts cells
+/// into triangles.
+void add_terrain_options(Options& options, TerrainOptions& terrain, bool with_diagonal = true);
+/// Throws InputError for what cannot be read.
+terrain::ReadOptions read_options(const TerrainOptions& options);
+/// Reads the terrain. Throws InputError; with `require_spacing`, for a terrain without spacing too.
+terrain::Heightfield load(const TerrainOptions& options, bool require_spacing = true);
+
+struct CameraOptions {
+  std::string camera = "oblique";
+  std::string size;  // "WxH"; empty: the camera file's, or 1920x1080
+  std::optional<double> fov_y_deg;
+};
+
+void add_camera_options(Options& options, CameraOptions& camera);
+/// The camera meant for this terrain: --size and --fov go before what a camera file says. Throws
+/// InputError.
+LookAt look_at(const CameraOptions& options, const terrain::Heightfield& field);
+
+/// --threads: 0 leaves the choice to the machine.
+void add_threads_option(Options& options, int& threads);
+/// --json: one JSON object on standard output in place of the table.
+void add_json_option(Options& options, bool& json);
+/// -o, --output.
+void add_output_option(Options& options, std::string& output, const std::string& help);
+
+/// "1920x1080". Throws InputError unless both are whole numbers from 1 to 65536.
+struct ImageSize {
+  int width_px = 0, height_px = 0;
+};
+ImageSize parse_size(const std::string& text);
+
+}  // namespace plumb::tool

@@ -1,0 +1,61 @@
+#include "text_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/check.h"
+
+namespace plumb::tool {
+namespace {
+
+std::string line_of(const std::vector<TextColumn>& columns, const std::vector<int>& widths,
+                    const std::vector<std::string>& cells) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const auto gap = static_cast<std::size_t>(widths[i] - letters_in(cells[i]));
+    if (i > 0) line += "  ";
+    if (columns[i].numeric) line.append(gap, ' ');
+    line += cells[i];
+    if (!columns[i].numeric) line.append(gap, ' ');
+  }
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + "\n";
+}
+
+}  // namespace
+
+int letters_in(std::string_view text) {
+  return static_cast<int>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xc0) != 0x80;  // not the rest of a longer letter
+  }));
+}
+
+std::string text_table(const std::vector<TextColumn>& columns,
+                       const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::string> headings;
+  std::vector<int> widths;
+  for (const TextColumn& column : columns) {
+    headings.push_back(column.heading);
+    widths.push_back(letters_in(column.heading));
+  }
+  for (const std::vector<std::string>& row : rows) {
+    require(row.size() == columns.size(), "a row needs {} cells, got {}", columns.size(),
+            row.size());
+    for (std::size_t i = 0; i < row.size(); ++i)
+      widths[i] = std::max(widths[i], letters_in(row[i]));
+  }
+  std::string table;
+  const bool named = std::any_of(headings.begin(), headings.end(),
+                                 [](const std::string& heading) { return !heading.empty(); });
+  if (named) table += line_of(columns, widths, headings);
+  for (const std::vector<std::string>& row : rows) table += line_of(columns, widths, row);
+  return table;
+}
+
+std::string text_bar(double part, double whole, int width) {
+  if (!(part > 0.0) || !(whole > 0.0)) return "";
+  const int length = static_cast<int>(std::floor(part / whole * width + 0.5));
+  return std::string(static_cast<std::size_t>(std::clamp(length, 1, width)), '#');
+}
+
+}  // namespace plumb::tool
