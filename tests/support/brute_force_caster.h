@@ -3,6 +3,7 @@
 
 #include "core/camera.h"
 #include "core/hit_image.h"
+#include "core/parallel.h"
 #include "support/wide_ray.h"
 
 namespace plumb::test_support {
@@ -37,7 +38,8 @@ template <class Real, class Cast>
 HitImage brute_force_frame(const Camera& camera, const glm::dvec3& surface_origin_m,
                            const Cast& cast) {
   HitImage image(camera.width_px, camera.height_px);
-  for (int y = 0; y < camera.height_px; ++y) {
+  parallel_for(camera.height_px, 1, [&](std::int64_t row) {
+    const int y = static_cast<int>(row);
     for (int x = 0; x < camera.width_px; ++x) {
       const glm::dvec3 direction = ray_direction(camera, x + 0.5, y + 0.5);
       const auto hit = cast(
@@ -48,7 +50,7 @@ HitImage brute_force_frame(const Camera& camera, const glm::dvec3& surface_origi
       image.from_eye_m[pixel] = image.depth_m[pixel] * direction;
       image.primitive[pixel] = hit.triangle;
     }
-  }
+  });
   return image;
 }
 

@@ -100,8 +100,9 @@ void meet_wide(const WideRay<Real>& ray, const std::array<WideVector<Real>, 3>& 
                std::uint32_t triangle, WideHit<Real>& best) {
   const WideVector<Real> a = corners[0] - ray.origin, b = corners[1] - ray.origin,
                          c = corners[2] - ray.origin;
-  const Real ab = dot(ray.direction, cross(a, b)), bc = dot(ray.direction, cross(b, c)),
-             ca = dot(ray.direction, cross(c, a));
+  const Real ab = dot(ray.direction, cross(a, b)), bc = dot(ray.direction, cross(b, c));
+  if ((ab > 0 && bc < 0) || (ab < 0 && bc > 0)) return;
+  const Real ca = dot(ray.direction, cross(c, a));
   const bool inside = (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
   if (!inside) return;
   const WideVector<Real> normal = cross(b - a, c - a);

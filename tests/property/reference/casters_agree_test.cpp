@@ -1,6 +1,7 @@
 // The two casters share no code, so where they agree on random scenes both are right.
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <string>
 
 #include "reference/embree_caster.h"
@@ -86,23 +87,49 @@ Camera whole_number_camera(Random& random, const Heightfield& field, bool from_a
   return camera;
 }
 
-TEST(CastersAgree, OnRaysThroughSamplesAndAlongEdges) {
-  Random random(3);
+struct AgainstTruth {
   HitImageDifference of_embree, of_pyramid;
-  for (int k = 0; k < 30; ++k) {
+};
+
+AgainstTruth compare_whole_number_scenes(int scenes, std::uint64_t seed) {
+  Random random(seed);
+  AgainstTruth total;
+  for (int k = 0; k < scenes; ++k) {
     const Heightfield field = whole_number_field(random);
     const Diagonal diagonal = kDiagonals[k % 3];
     const Camera camera = whole_number_camera(random, field, k % 2 == 0);
-    const HitImage truth = test_support::brute_force_frame<__float128>(
+    // Exact but for the last division: all products of these numbers fit into 64 bits.
+    const HitImage truth = test_support::brute_force_frame<long double>(
         camera, field.world_origin_m(),
         [&](const auto& ray) { return test_support::brute_force(field, diagonal, ray); });
-    of_embree.add(
-        test_support::difference(camera, truth, EmbreeCaster(field, diagonal).cast_frame(camera)));
-    of_pyramid.add(
-        test_support::difference(camera, truth, PyramidCaster(field, diagonal).cast_frame(camera)));
+    const auto against_truth = [&](const HitImage& image) {
+      return test_support::difference(camera, truth, image);
+    };
+    total.of_embree.add(against_truth(EmbreeCaster(field, diagonal).cast_frame(camera)));
+    total.of_pyramid.add(against_truth(PyramidCaster(field, diagonal).cast_frame(camera)));
   }
-  std::printf("embree %s\n", to_text(of_embree).c_str());
-  std::printf("pyramid %s\n", to_text(of_pyramid).c_str());
+  return total;
+}
+
+// The exceptions that two casters are allowed: rays exactly through edges and along walls, where
+// the pyramid's cell coordinates are rounded. They are one in a hundred even among rays that are
+// all chosen so.
+void expect_exceptions_bounded(const AgainstTruth& found) {
+  EXPECT_EQ(found.of_embree.hit_or_miss, 0u) << to_text(found.of_embree);
+  EXPECT_EQ(found.of_embree.elsewhere, 0u) << to_text(found.of_embree);
+  EXPECT_EQ(found.of_embree.primitive, 0u) << to_text(found.of_embree);
+  EXPECT_LE(found.of_pyramid.hit_or_miss + found.of_pyramid.elsewhere, found.of_pyramid.hits / 100)
+      << to_text(found.of_pyramid);
+  std::printf("exceptions on whole-number rays: Embree %s\n", to_text(found.of_embree).c_str());
+  std::printf("exceptions on whole-number rays: pyramid %s\n", to_text(found.of_pyramid).c_str());
+}
+
+TEST(CastersAgree, OnRaysThroughSamplesAndAlongEdgesButForCountedExceptions) {
+  expect_exceptions_bounded(compare_whole_number_scenes(30, 3));
+}
+
+TEST(LongCastersAgree, OnRaysThroughSamplesAndAlongEdgesButForCountedExceptions) {
+  expect_exceptions_bounded(compare_whole_number_scenes(1000, 4));
 }
 
 }  // namespace
