@@ -2,7 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <cmath>
 #include <set>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "core/check.h"
@@ -97,6 +103,30 @@ TEST(BoxTree, StopsBehindTheLimitThatTheVisitorGives) {
   EXPECT_EQ(all.seen.size(), 1000u);
   EXPECT_EQ(first.seen.count(0), 1u);
   EXPECT_LT(first.seen.size(), 64u);
+}
+
+// Whoever breaks ties needs all of them: a thousand boxes at one place, and a limit that is their
+// t.
+TEST(BoxTree, VisitsWhatLiesExactlyAtTheLimit) {
+  Random random(5);
+  for (int scene = 0; scene < 20; ++scene) {
+    std::vector<Box> boxes = random_boxes(random, 1000, 160e3, 0.0);
+    for (int k = 100; k < 300; ++k) boxes[static_cast<std::size_t>(k)] = boxes[100];
+    const BoxTree tree = tree_of(boxes);
+    Ray ray;
+    ray.origin_m = {random.uniform(-2e5, 2e5), random.uniform(-2e5, 2e5), 1e5};
+    const double t = random.uniform(1e-4, 1e4);
+    ray.direction = (boxes[100].low - ray.origin_m) / t;
+    Collector collector(t);
+    tree.visit_ray(ray, collector);
+    const glm::dvec3 apart = boxes[100].low - ray.origin_m;
+    Collector at_distance(std::sqrt(glm::dot(apart, apart)));
+    tree.visit_ball(ray.origin_m, 1e9, at_distance);
+    for (std::uint32_t k = 100; k < 300; ++k) {
+      ASSERT_EQ(collector.seen.count(k), 1u);
+      ASSERT_EQ(at_distance.seen.count(k), 1u);
+    }
+  }
 }
 
 TEST(BoxTree, VisitsNothingOutsideTheRaysOwnRange) {
