@@ -19,7 +19,8 @@ TomlTable entries_of(const toml::table& table, const std::string& name, const st
 
 TomlValue value_of(const toml::node& node, const std::string& name, const std::string& path) {
   TomlValue value;
-  value.where = fmt::format("{}, line {}: {}", name, node.source().begin.line, path);
+  value.line = static_cast<int>(node.source().begin.line);
+  value.where = fmt::format("{}, line {}: {}", name, value.line, path);
   if (const auto* text = node.as_string()) {
     value.data = text->get();
   } else if (const auto* truth = node.as_boolean()) {

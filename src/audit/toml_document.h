@@ -19,6 +19,7 @@ using TomlTable = std::vector<TomlEntry>;  // in the file's order
 struct TomlValue {
   std::variant<std::monostate, bool, std::int64_t, double, std::string, TomlList, TomlTable> data;
   std::string where;  // "scene.toml, line 3: camera.eye"
+  int line = 0;       // of the file, from 1
 };
 
 struct TomlEntry {
