@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <string_view>
 
-#include "audit/camera_file.h"
 #include "core/check.h"
 #include "core/number_text.h"
 #include "terrain/camera_presets.h"
@@ -78,7 +77,7 @@ void add_camera_options(Options& options, CameraOptions& camera) {
   options.number(camera.fov_y_deg, "--fov", "DEG", "Vertical field of view (50)");
 }
 
-LookAt look_at(const CameraOptions& options, const terrain::Heightfield& field) {
+audit::CameraDescription camera_description(const CameraOptions& options) {
   audit::CameraDescription camera;
   std::error_code ignored;
   if (options.camera.ends_with(".toml") ||
@@ -95,7 +94,11 @@ LookAt look_at(const CameraOptions& options, const terrain::Heightfield& field) 
     camera.height_px = size.height_px;
   }
   if (options.fov_y_deg) camera.fov_y_deg = options.fov_y_deg;
-  return audit::resolve_camera(camera, field);
+  return camera;
+}
+
+LookAt look_at(const CameraOptions& options, const terrain::Heightfield& field) {
+  return audit::resolve_camera(camera_description(options), field);
 }
 
 void add_threads_option(Options& options, int& threads) {
