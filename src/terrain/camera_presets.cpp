@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/check.h"
 #include "core/parallel.h"
@@ -11,15 +12,23 @@
 namespace plumb::terrain {
 namespace {
 
-LookAt look(const Scene& scene, const View& view, const LookAt& picture) {
+/// Turns the view halfway towards the ground under the eye until its middle meets ground.
+std::optional<double> lower_to_ground(const Scene& scene, View& view) {
+  auto hit = first_ground(*scene.field, scene.box, view.eye_m, forward_of(view));
+  for (int halvings = 0; !hit && halvings < 12; ++halvings) {
+    view.pitch = reproducible_tan((reproducible_atan(view.pitch) - kPi / 2.0) / 2.0);
+    hit = first_ground(*scene.field, scene.box, view.eye_m, forward_of(view));
+  }
+  return hit;
+}
+
+LookAt look(const Scene& scene, View view, const LookAt& picture) {
   LookAt description = picture;
-  const glm::dvec3 forward = forward_of(view);
-  const auto hit = first_ground(*scene.field, scene.box, view.eye_m, forward);
-  const double far_enough = std::max(scene.extent_m, scene.spacing_m);
-  const double distance = hit && *hit > 0.0 ? *hit : far_enough;
+  const auto hit = lower_to_ground(scene, view);
+  const double distance = hit && *hit > 0.0 ? *hit : std::max(scene.extent_m, scene.spacing_m);
   const glm::dvec3 origin = scene.field->world_origin_m();
   description.eye_m = origin + view.eye_m;
-  description.target_m = origin + (view.eye_m + distance * forward);
+  description.target_m = origin + (view.eye_m + distance * forward_of(view));
   description.near_m = std::max(0.01, view.clearance_m / 10.0);
   return description;
 }

@@ -31,7 +31,8 @@ const std::vector<PresetHelp>& preset_help();
 ///   (1) The same terrain and picture give the same camera, on any number of threads.
 ///   (2) The eye stands above the ground, and never over a void (top excepted), if there is a
 ///       cell to stand on; without any it looks down at a sample from beside and above.
-///   (3) Moving the terrain's origin moves eye and target with it.
+///   (3) The ray through the picture's middle meets the ground, if there is a cell.
+///   (4) Moving the terrain's origin moves eye and target with it.
 /// Throws InputError that lists the known names for an unknown one, std::invalid_argument for a
 /// picture that make_camera would refuse.
 LookAt preset_camera(const Heightfield& field, const std::string& name, int width_px, int height_px,

@@ -32,7 +32,7 @@ const std::vector<Generator>& generators() {
        {height("300"),
         relief("2500"),
         {"feature", "9000", "distance between main ridges, metres, > 0"},
-        {"roughness", "0.46", "height of each octave against the one before, 0 to 0.9"},
+        {"roughness", "0.42", "height of each octave against the one before, 0 to 0.9"},
         {"bend", "0.35", "how far ridges are bent, in features, 0 to 10"},
         {"octaves", "0", "0: down to two spacings; else 1 to 16"}},
        alpine},

@@ -1,14 +1,17 @@
 #include "terrain/image_reader.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 #include <memory>
 #include <vector>
 
 #include "core/check.h"
 #include "terrain/georeference.h"
+#include "terrain/png_file.h"
 #include "terrain/sample_decoding.h"
 
 namespace plumb::terrain {
@@ -21,14 +24,34 @@ std::string one_line(std::string text) {
   return text.empty() ? text : fmt::format(" (OpenImageIO: {})", text);
 }
 
-using Input = std::unique_ptr<OIIO::ImageInput>;
+/// An open image and, of a PNG, the bytes that it is read from.
+struct Input {
+  std::vector<unsigned char> bytes;
+  std::unique_ptr<OIIO::Filesystem::IOMemReader> reader;
+  std::unique_ptr<OIIO::ImageInput> image;  // goes first
+
+  const OIIO::ImageSpec& spec() const { return image->spec(); }
+};
+
+bool is_open_exr(const std::string& file) {
+  char magic[4] = {};
+  return std::ifstream(file, std::ios::binary).read(magic, 4) &&
+         std::equal(magic, magic + 4, "\x76\x2f\x31\x01");
+}
 
 Input open(const std::string& file) {
   OIIO::ImageSpec configuration;
   configuration.attribute("oiio:UnassociatedAlpha", 1);
-  configuration.attribute("oiio:RawColor", 1);
-  Input input = OIIO::ImageInput::open(file, &configuration);
-  if (!input) input_error("{}: no image that can be read{}", file, one_line(OIIO::geterror()));
+  Input input;
+  if (!is_open_exr(file)) {
+    input.bytes = read_png_pixels(file);
+    input.reader =
+        std::make_unique<OIIO::Filesystem::IOMemReader>(input.bytes.data(), input.bytes.size());
+  }
+  input.image = OIIO::ImageInput::open(file, &configuration, input.reader.get());
+  if (!input.image) {
+    input_error("{}: no image that can be read{}", file, one_line(OIIO::geterror()));
+  }
   return input;
 }
 
@@ -72,30 +95,28 @@ class Rows {
       : input_(std::move(input)), window_(window), file_(file) {}
 
   void read(int row, int count) {
-    const OIIO::ImageSpec& spec = input_->spec();
+    const OIIO::ImageSpec& spec = input_.spec();
     const auto width = static_cast<std::size_t>(spec.width);
     pixels_.resize(width * static_cast<std::size_t>(count) *
                    static_cast<std::size_t>(spec.nchannels));
     const int y = spec.y + window_.y + row;
-    if (!input_->read_scanlines(0, 0, y, y + count, 0, 0, spec.nchannels,
-                                OIIO::BaseTypeFromC<Stored>::value == OIIO::TypeDesc::UINT8
-                                    ? OIIO::TypeUInt8
-                                    : OIIO::TypeDesc(OIIO::BaseTypeFromC<Stored>::value),
-                                pixels_.data())) {
+    if (!input_.image->read_scanlines(0, 0, y, y + count, 0, 0, spec.nchannels,
+                                      OIIO::TypeDesc(OIIO::BaseTypeFromC<Stored>::value),
+                                      pixels_.data())) {
       input_error("{}: rows {} to {} cannot be read{}", file_, window_.y + row,
-                  window_.y + row + count - 1, one_line(input_->geterror()));
+                  window_.y + row + count - 1, one_line(input_.image->geterror()));
     }
   }
 
   Stored at(int i, int row, int channel) const {
-    const OIIO::ImageSpec& spec = input_->spec();
+    const OIIO::ImageSpec& spec = input_.spec();
     const auto pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(spec.width) +
                        static_cast<std::size_t>(window_.x + i);
     return pixels_[pixel * static_cast<std::size_t>(spec.nchannels) +
                    static_cast<std::size_t>(channel)];
   }
 
-  const OIIO::ImageSpec& spec() const { return input_->spec(); }
+  const OIIO::ImageSpec& spec() const { return input_.spec(); }
 
  private:
   Input input_;
@@ -142,7 +163,7 @@ Heightfield read_heights(Rows<Stored> rows, const Channels& channels, const Read
 
 Heightfield read_as_stored(Input input, const Channels& channels, const ReadOptions& options,
                            const Window& window, const std::string& file) {
-  switch (input->spec().format.basetype) {
+  switch (input.spec().format.basetype) {
     case OIIO::TypeDesc::UINT8:
       return read_heights(Rows<std::uint8_t>(std::move(input), window, file), channels, options,
                           window, file);
@@ -155,7 +176,7 @@ Heightfield read_as_stored(Input input, const Channels& channels, const ReadOpti
                           file);
     default:
       input_error("{}: samples of type {} are not read, expected 8 or 16 bits, half or float", file,
-                  input->spec().format.c_str());
+                  input.spec().format.c_str());
   }
 }
 
@@ -167,8 +188,8 @@ Heightfield read_image(const std::string& file, const ReadOptions& options) {
                 options.crs);
   }
   Input input = open(file);
-  const OIIO::ImageSpec spec = input->spec();
-  const std::string format = input->format_name();
+  const OIIO::ImageSpec spec = input.spec();
+  const std::string format = input.image->format_name();
   if (spec.tile_width != 0 || spec.depth > 1) {
     input_error("{}: tiled and deep images are not read, expected rows of pixels", file);
   }

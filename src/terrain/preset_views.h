@@ -41,7 +41,7 @@ double pitch_under(double skyline, double part, const Scene& scene);
 /// stand.
 View oblique_view(const Scene& scene, const std::vector<Stand>& stands);
 /// The view along the ground that reaches farthest and shows most relief.
-View grazing_view(const Scene& scene, const std::vector<Stand>& stands);
+View grazing_view(const Scene& scene, std::vector<Stand> stands);
 /// The view from the foot of a slope between high sides.
 View valley_view(const Scene& scene, std::vector<Stand> stands);
 

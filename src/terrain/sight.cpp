@@ -26,6 +26,9 @@ Stand stand_in(const Heightfield& field, int i, int j) {
   Stand stand;
   stand.place_m = {(i + kInCellX) * field.dx_m, (j + kInCellY) * field.dy_m};
   stand.ground_m = ground_height_m(field, stand.place_m.x, stand.place_m.y);
+  const float height = field.heights_m(i, j);
+  stand.is_level = field.heights_m(i + 1, j) == height && field.heights_m(i, j + 1) == height &&
+                   field.heights_m(i + 1, j + 1) == height;
   return stand;
 }
 
@@ -118,6 +121,7 @@ SightLine look_along(const Heightfield& field, const glm::dvec3& eye_m,
   SightLine line;
   line.skyline = -kInfinity;
   double lowest = kInfinity, highest = -kInfinity;
+  bool was_seen = false;
   double begin = 0.0, end = kInfinity;
   clip(eye_m.x, direction.x, 0.0, field.cell_columns() * field.dx_m, begin, end);
   clip(eye_m.y, direction.y, 0.0, field.cell_rows() * field.dy_m, begin, end);
@@ -126,7 +130,10 @@ SightLine look_along(const Heightfield& field, const glm::dvec3& eye_m,
     const double ground =
         ground_height_m(field, eye_m.x + distance * direction.x, eye_m.y + distance * direction.y);
     const double slope = (ground - eye_m.z) / distance;
-    if (slope >= line.skyline) {  // false for NaN
+    const bool is_seen = slope >= line.skyline;  // false for NaN
+    line.layers += is_seen && !was_seen ? 1 : 0;
+    was_seen = is_seen;
+    if (is_seen) {
       line.skyline = slope;
       line.reach_m = distance;
       lowest = std::min(lowest, ground);

@@ -21,6 +21,7 @@ double ground_height_m(const Heightfield& field, double x_m, double y_m);
 struct Stand {
   glm::dvec2 place_m{0.0};
   double ground_m = 0.0;
+  bool is_level = false;  // its cell's four samples are equally high: water, or a floor
 };
 
 /// The stand nearest to the middle of each of up to `per_side` x `per_side` equal blocks of cells,
@@ -32,6 +33,7 @@ struct SightLine {
   double reach_m = 0.0;   // horizontal distance of the farthest ground that is seen; 0: none
   double skyline = 0.0;   // tangent of the highest ground's elevation angle; -inf: no ground
   double relief_m = 0.0;  // between the lowest and the highest ground that is seen
+  int layers = 0;         // stretches of ground that is seen, with hidden ground between them
 };
 SightLine look_along(const Heightfield& field, const glm::dvec3& eye_m,
                      const glm::dvec2& direction);

@@ -66,7 +66,7 @@ Stand downhill(const Scene& scene, Stand stand) {
     for (int k = 0; k < kDirections; k += 4) {
       const glm::dvec2 place = stand.place_m + stride * compass(k);
       const double ground = ground_height_m(*scene.field, place.x, place.y);
-      if (ground < lowest.ground_m) lowest = {place, ground};  // false for NaN
+      if (ground < lowest.ground_m) lowest = {place, ground, false};  // false for NaN
     }
     if (lowest.ground_m == stand.ground_m) break;
     stand = lowest;
@@ -76,11 +76,15 @@ Stand downhill(const Scene& scene, Stand stand) {
 
 }  // namespace
 
-View grazing_view(const Scene& scene, const std::vector<Stand>& stands) {
+View grazing_view(const Scene& scene, std::vector<Stand> stands) {
+  // Nobody stands on water, where there is land.
+  const auto land = std::stable_partition(stands.begin(), stands.end(),
+                                          [](const Stand& stand) { return !stand.is_level; });
+  if (land != stands.begin()) stands.erase(land, stands.end());
   const double much_relief = 0.25 * (scene.box.high.z - scene.box.low.z);
   const auto worth = [&](const SightLine& line) {
     const double relief = much_relief > 0.0 ? std::min(1.0, line.relief_m / much_relief) : 0.0;
-    return std::sqrt(line.reach_m) * (0.25 + relief);
+    return std::sqrt(line.reach_m) * (0.25 + relief) * (4 + std::min(line.layers, 8));
   };
   return best_standing_view(scene, stands, std::max(2.0, 0.1 * scene.spacing_m), 0.15,
                             [&](const Panorama& lines, int k) {
@@ -107,8 +111,10 @@ View valley_view(const Scene& scene, std::vector<Stand> stands) {
   return best_standing_view(scene, stands, clearance, 0.25, [&](const Panorama& lines, int k) {
     const double sides = std::min(walls(lines, k - 7, k - 2), walls(lines, k + 2, k + 7));
     const double open = std::min(1.0, at(lines, k).reach_m / (0.25 * scene.extent_m));
-    const double rises = std::clamp(at(lines, k).skyline, 0.0, 0.3);  // looks up the valley
-    return at(lines, k).reach_m > 0.0 ? (0.02 + sides) * open * (0.5 + rises) : -1.0;
+    // Along the valley and up it: the end rises, but less than the sides.
+    const double end = std::clamp(at(lines, k).skyline, 0.0, 0.3);
+    const double depth = 0.02 + std::max(0.0, sides - 0.7 * end);
+    return at(lines, k).reach_m > 0.0 ? depth * open * (1.0 + 2.0 * end) : -1.0;
   });
 }
 

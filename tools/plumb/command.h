@@ -47,5 +47,7 @@ int run_command_line(const std::vector<Command>& commands, const Invocation& inv
 
 // One file a subcommand.
 Command info_command();
+Command truth_command();
+Command audit_command();
 
 }  // namespace plumb::tool

@@ -2,6 +2,6 @@
 
 namespace plumb::tool {
 
-std::vector<Command> all_commands() { return {info_command()}; }
+std::vector<Command> all_commands() { return {info_command(), truth_command(), audit_command()}; }
 
 }  // namespace plumb::tool

@@ -1,6 +1,8 @@
 #include "common_options.h"
 
+#include <cmath>
 #include <filesystem>
+#include <string_view>
 
 #include "audit/camera_file.h"
 #include "core/check.h"
@@ -113,6 +115,22 @@ ImageSize parse_size(const std::string& text) {
       return {static_cast<int>(*width), static_cast<int>(*height)};
   }
   input_error("size '{}': expected WIDTHxHEIGHT in pixels, each from 1 to 65536", text);
+}
+
+glm::dvec3 parse_point(const std::string& text, const std::string& option) {
+  glm::dvec3 point{0.0};
+  std::size_t begin = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::size_t end = axis < 2 ? text.find(',', begin) : text.size();
+    const auto value = end == std::string::npos
+                           ? std::nullopt
+                           : parse_number(std::string_view(text).substr(begin, end - begin));
+    if (!value || !std::isfinite(*value))
+      input_error("{} '{}': expected three numbers, X,Y,Z", option, text);
+    point[axis] = *value;
+    begin = end + 1;
+  }
+  return point;
 }
 
 }  // namespace plumb::tool

@@ -54,4 +54,7 @@ struct ImageSize {
 };
 ImageSize parse_size(const std::string& text);
 
+/// "X,Y,Z", three finite numbers. Throws InputError that names the option.
+glm::dvec3 parse_point(const std::string& text, const std::string& option);
+
 }  // namespace plumb::tool

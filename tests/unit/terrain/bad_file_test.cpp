@@ -97,6 +97,32 @@ TEST_F(BadFile, TruncatedPng) {
   }
 }
 
+TEST_F(BadFile, DamagedPng) {
+  const std::string file = folder_.file("damaged.png");
+  write_png16(file, 16, 16, std::vector<std::uint16_t>(256, 5));
+  const auto size = static_cast<std::streamoff>(std::filesystem::file_size(file));
+  for (const std::streamoff at : {std::streamoff{17}, size / 2, size - 13}) {
+    write_png16(file, 16, 16, std::vector<std::uint16_t>(256, 5));
+    std::fstream bytes(file, std::ios::binary | std::ios::in | std::ios::out);
+    bytes.seekp(at).put('\x55');
+    bytes.close();
+    message_for(file);
+  }
+}
+
+TEST_F(BadFile, TruncatedExr) {
+  const std::string file = folder_.file("cut.exr");
+  ReadOptions options;
+  options.spacing_x_m = 1.0;
+  for (const double part : {0.8, 0.01}) {
+    std::vector<float> values;
+    for (int k = 0; k < 64 * 64; ++k) values.push_back(static_cast<float>((k * 7919) % 1009));
+    write_exr(file, 64, 64, values);
+    truncate(file, part);
+    message_for(file, options);
+  }
+}
+
 TEST_F(BadFile, AFolder) {
   std::filesystem::create_directory(folder_.file("folder.png"));
   std::filesystem::create_directory(folder_.file("folder.tif"));

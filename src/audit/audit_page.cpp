@@ -1,0 +1,285 @@
+#include "audit/audit_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "audit/audit_json.h"
+#include "audit/audit_pictures.h"
+#include "core/atomic_file.h"
+#include "core/check.h"
+#include "image/image_files.h"
+#include "report/html_page.h"
+
+namespace plumb::audit {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::uint8_t> bytes_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+const char* yes_no(bool holds) { return holds ? "held" : "BROKEN"; }
+
+std::string with_unit(double value, Unit unit) {
+  const std::string number = short_number(value);
+  return unit == Unit::Count ? number : number + " " + name_of(unit);
+}
+
+report::Table claims_table(const AuditResult& result) {
+  report::Table table{"Claims and limits",
+                      {{"measure"},
+                       {"scope"},
+                       {"by"},
+                       {"claimed", true},
+                       {"measured", true},
+                       {"tightness", true},
+                       {"violations", true},
+                       {"triangles over", true},
+                       {"verdict"}},
+                      {}};
+  for (const ClaimResult& c : result.claims) {
+    const auto tightness = c.tightness();
+    const std::string scope =
+        c.claim.scope == Scope::Frame ? "frame" : fmt::format("patch {}", c.claim.patch);
+    table.rows.push_back(
+        {{c.label, scope, c.is_limit ? "user" : "method", with_unit(c.claim.bound, c.claim.unit),
+          with_unit(c.measured, c.claim.unit), tightness ? short_number(*tightness) : "-",
+          std::to_string(c.violations),
+          c.triangles_over >= 0 ? std::to_string(c.triangles_over) : "-", yes_no(c.holds)},
+         c.holds ? report::RowKind::Ok : report::RowKind::Bad});
+  }
+  return table;
+}
+
+report::Table errors_table(const AuditResult& result) {
+  report::Table table{"Errors measured",
+                      {{"measure"},
+                       {"of", true},
+                       {"max", true},
+                       {"RMS", true},
+                       {"50 %", true},
+                       {"95 %", true},
+                       {"99 %", true},
+                       {"99.9 %", true},
+                       {"without counterpart", true}},
+                      {}};
+  const auto add = [&](const char* name, const Distribution& d) {
+    table.rows.push_back({{name, std::to_string(d.count), short_number(d.max_finite),
+                           short_number(d.rms), short_number(d.p50), short_number(d.p95),
+                           short_number(d.p99), short_number(d.p999), std::to_string(d.infinite)},
+                          report::RowKind::Plain});
+  };
+  add("samples, metres", result.samples.metres);
+  add("samples in view, pixels", result.samples.pixels);
+  add("samples visible, pixels", result.samples.visible_pixels);
+  add("pixels, vertical, pixels", result.vertical);
+  add("the same from the truth", result.reverse_vertical);
+  if (!result.nearest.forward_px.empty()) {
+    add("pixels, nearest point, pixels", result.nearest.forward);
+    add("the same from the truth", result.nearest.reverse);
+  }
+  add("depth, relative", result.depth);
+  add("normals, degrees", result.normal_deg);
+  return table;
+}
+
+std::vector<report::KeyValue> shape_entries(const AuditResult& result) {
+  const Coverage& c = result.coverage;
+  const SampleErrors& s = result.samples;
+  const Topology& t = result.topology;
+  return {{"pixels that must be terrain, must be sky, may be either",
+           fmt::format("{}, {}, {} (band of {} px along silhouettes)", c.must_be_terrain,
+                       c.must_be_sky, c.either, c.band_px)},
+          {"holes, overshoots, see-through pixels",
+           fmt::format("{}, {}, {}", c.holes, c.overshoots, c.see_through)},
+          {"samples with nothing drawn over them", std::to_string(s.uncovered)},
+          {"void samples drawn over", std::to_string(s.over_void)},
+          {"open edges, T-junctions", fmt::format("{}, {}", t.open_edges, t.t_junctions)},
+          {"non-manifold edges, vertices",
+           fmt::format("{}, {}", t.non_manifold_edges, t.non_manifold_vertices)},
+          {"degenerate, folded triangles",
+           fmt::format("{}, {}", t.degenerate_triangles, t.folded_triangles)},
+          {"samples under more than one triangle", std::to_string(s.overlapped)},
+          {"largest jump of levels between neighbours", std::to_string(t.largest_lod_jump)}};
+}
+
+std::string registration_text(const Registration& r) {
+  if (r.agrees)
+    return "agrees: every point drawn is seen at its own pixel and lies on its triangle";
+  return fmt::format(
+      "does NOT agree: points are seen {} px (mean {:+.3g}, {:+.3g}) off their pixels and up to {} "
+      "m off their "
+      "triangles; an eye moved by ({:.4g}, {:.4g}, {:.4g}) m explains that best",
+      short_number(r.largest_shift_px), r.mean_shift_px.x, r.mean_shift_px.y,
+      short_number(r.largest_off_plane_m), r.eye_offset_m.x, r.eye_offset_m.y, r.eye_offset_m.z);
+}
+
+std::vector<report::KeyValue> subject_entries(const AuditResult& result,
+                                              const AuditSubject& subject) {
+  const terrain::Heightfield& field = *subject.field;
+  const Camera& c = subject.camera;
+  std::vector<report::KeyValue> entries{
+      {"terrain",
+       fmt::format("{} ({} x {} samples, {:.6g} x {:.6g} m apart)", field.provenance.source,
+                   field.columns(), field.rows(), field.dx_m, field.dy_m)},
+      {"truth", fmt::format("full-detail triangles, diagonals {}", name_of(subject.truth))},
+      {"method", subject.variant.empty() ? subject.method
+                                         : fmt::format("{}, {}", subject.method, subject.variant)},
+      {"tolerance", to_text(subject.tolerance)},
+      {"camera",
+       fmt::format(
+           "{}: eye ({:.8g}, {:.8g}, {:.8g}) m, looking along ({:.4g}, {:.4g}, {:.4g}), {} x {} px",
+           subject.camera_name, c.eye_m.x, c.eye_m.y, c.eye_m.z, c.forward.x, c.forward.y,
+           c.forward.z, c.width_px, c.height_px)},
+      {"picture and camera", registration_text(result.registration)},
+      {"drawn", fmt::format("{} triangles, {} vertices, {} fragments", result.cost.triangles,
+                            result.cost.vertices, result.cost.fragments)},
+      {"patches' own claims",
+       fmt::format("{} judged, {} broken", result.patch_claims, result.patch_claims_broken)},
+      {"made again by", subject.command}};
+  for (const std::string& assumption : field.provenance.assumptions)
+    entries.push_back({"assumed", assumption});
+  return entries;
+}
+
+report::OffenderList offender_list(const AuditResult& result, const AuditSubject& subject) {
+  report::OffenderList list{"Worst offenders",
+                            "pictures",
+                            {{"what"}, {"value", true}, {"sample"}, {"world, m"}, {"patch"}},
+                            {}};
+  for (const Offender& o : result.offenders) {
+    if (o.x < 0) continue;
+    const std::string sample =
+        o.sample_i >= 0
+            ? fmt::format(
+                  "column {}, row {}", subject.field->provenance.window_x + o.sample_i,
+                  subject.field->provenance.window_y + subject.field->rows() - 1 - o.sample_j)
+            : "-";
+    list.offenders.push_back(
+        {o.x,
+         o.y,
+         {o.what, o.unit == Unit::Count ? "-" : with_unit(o.value, o.unit), sample,
+          fmt::format("{:.9g}, {:.9g}, {:.7g}", o.world_m.x, o.world_m.y, o.world_m.z),
+          o.patch >= 0 ? fmt::format("{}: {}", o.patch, o.patch_name) : "-"}});
+  }
+  return list;
+}
+
+// The bound that a map of pixel errors is coloured by: the method's claim, or else the user's
+// limit.
+double pixel_bound(const AuditResult& result) {
+  for (const ClaimResult& c : result.claims) {
+    if (c.claim.unit == Unit::Pixel && c.label == name_of(Measure::PixelError))
+      return c.claim.bound;
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+std::string short_number(double value) {
+  if (std::isnan(value)) return "-";
+  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+  return fmt::format("{:.4g}", value);
+}
+
+std::string verdict_sentence(const AuditResult& result) {
+  if (result.holds()) {
+    return fmt::format(
+        "Every claim holds: {} of the frame and {} of patches, coverage among them.",
+        std::count_if(result.claims.begin(), result.claims.end(),
+                      [](const ClaimResult& c) { return c.claim.scope == Scope::Frame; }),
+        result.patch_claims);
+  }
+  std::string broken;
+  for (const ClaimResult& c : result.claims) {
+    if (c.holds || c.claim.scope == Scope::Patch) continue;
+    broken +=
+        fmt::format("{}{} {} where {} was {}", broken.empty() ? "" : "; ", c.label,
+                    with_unit(c.measured, c.claim.unit), with_unit(c.claim.bound, c.claim.unit),
+                    c.is_limit ? "the limit" : "claimed");
+  }
+  if (result.patch_claims_broken > 0)
+    broken += fmt::format("{}{} patches over their own bounds", broken.empty() ? "" : "; ",
+                          result.patch_claims_broken);
+  if (!result.registration.agrees)
+    broken +=
+        fmt::format("{}the picture was not made with this camera", broken.empty() ? "" : "; ");
+  return "Broken: " + broken + ".";
+}
+
+std::vector<std::string> write_report(const fs::path& folder, const AuditResult& result,
+                                      const AuditSubject& subject, const DrawnSurface& surface,
+                                      const HeightfieldTruth& truth) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) input_error("cannot make the folder '{}': {}", folder.string(), error.message());
+  std::vector<std::string> files;
+  const auto png = [&](const std::string& name, const image::Rgb8Image& picture) {
+    image::write_png(folder / name, picture);
+    files.push_back(name);
+    return bytes_of(folder / name);
+  };
+  const image::Rgb8Image true_picture = truth_picture(result, truth, subject.camera);
+  const image::Rgb8Image drawn = drawn_picture(result, truth, surface, subject.camera);
+  const double bound = pixel_bound(result);
+  const std::string json = audit_json(result, subject);
+
+  report::Viewer viewer{
+      "pictures", "Truth, picture and error", result.drawn.width_px, result.drawn.height_px, {}};
+  viewer.images.push_back(
+      {"truth", "Rays against the full-detail surface.", png("truth.png", true_picture), {}});
+  viewer.images.push_back({"drawn", "What the method draws.", png("drawn.png", drawn), {}});
+  viewer.images.push_back({"difference",
+                           "Colours apart, four times as strong.",
+                           png("difference.png", difference_picture(true_picture, drawn)),
+                           {}});
+  // A map stands in the page as picture and legend, in the folder as one file with both.
+  const auto add_map = [&](const std::string& name, const std::string& file,
+                           const std::vector<float>& errors, const std::string& title) {
+    const ErrorMap map = error_map(result, errors, title, bound);
+    auto picture = png(file, map.picture);
+    auto legend = png(file, map.legend);
+    files.resize(files.size() - 2);
+    png(file, map.both);
+    viewer.images.push_back({name, title + ", in pixels.", std::move(picture), std::move(legend)});
+  };
+  add_map("pixel error", "pixel-error.png", result.pixels.vertical_px,
+          "Distance on screen to the truth above or below");
+  if (!result.nearest.forward_px.empty()) {
+    add_map("nearest", "nearest-error.png", result.nearest.forward_px,
+            "Distance on screen to the nearest point of the truth");
+  }
+  viewer.images.push_back({"coverage",
+                           "Dark: must be terrain; light: must be sky; between: either. Red: hole; "
+                           "magenta: overshoot; orange: see-through.",
+                           png("coverage.png", coverage_picture(result)),
+                           {}});
+
+  report::HtmlPage page(fmt::format("{} at {} on {}", subject.method, to_text(subject.tolerance),
+                                    subject.field->provenance.source));
+  page.add_verdict(result.holds() ? report::Verdict::Held : report::Verdict::Broken,
+                   verdict_sentence(result));
+  page.add_table(claims_table(result));
+  page.add_viewer(viewer);
+  page.add_offenders(offender_list(result, subject));
+  page.add_table(errors_table(result));
+  page.add_key_values("Coverage and topology", shape_entries(result));
+  page.add_key_values("What was audited", subject_entries(result, subject));
+  for (const std::string& note : surface.notes) page.add_paragraph(note);
+  page.add_details("JSON of this run", json);
+  write_file_atomically(folder / "audit.json", json);
+  write_file_atomically(folder / "report.html", page.text());
+  files.push_back("audit.json");
+  files.insert(files.begin(), "report.html");
+  return files;
+}
+
+}  // namespace plumb::audit

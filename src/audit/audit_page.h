@@ -1,0 +1,33 @@
+// The result of an audit for people: pictures, heat maps, and one page that holds them all.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "audit/audit.h"
+#include "audit/audit_subject.h"
+#include "core/drawn_surface.h"
+
+namespace plumb::audit {
+
+/// Writes into `folder`, which is made if it is not there:
+///   report.html       the page, self-contained
+///   audit.json        audit_json(result, subject)
+///   truth.png, drawn.png, difference.png
+///   pixel-error.png   heat map with its legend, in pixels; the claimed bound is the scale's end
+///   nearest-error.png the same for the nearest point, if measured
+///   coverage.png      demands in grey, defects in colour
+/// Returns the files' names. Throws InputError if one cannot be written; what stood there before is
+/// then still there.
+std::vector<std::string> write_report(const std::filesystem::path& folder,
+                                      const AuditResult& result, const AuditSubject& subject,
+                                      const DrawnSurface& surface, const HeightfieldTruth& truth);
+
+/// One sentence: what the verdict is, and why.
+std::string verdict_sentence(const AuditResult& result);
+
+/// A number as tables show it: four digits, "inf", "-" for none.
+std::string short_number(double value);
+
+}  // namespace plumb::audit

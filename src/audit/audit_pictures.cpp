@@ -1,0 +1,114 @@
+#include "audit/audit_pictures.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/parallel.h"
+#include "image/srgb.h"
+#include "raster/shading/shade.h"
+
+namespace plumb::audit {
+namespace {
+
+image::Rgb8Image shaded(const HitImage& hits, const std::vector<glm::dvec3>& normals,
+                        const HeightfieldTruth& truth, const Camera& camera) {
+  raster::ShadeOptions options;
+  const reference::HeightRange& range = truth.caster.pyramid().root();
+  if (!range.empty()) {
+    options.low_m = range.low;
+    options.high_m = range.high;
+  }
+  return image::to_srgb8(raster::shade(hits, camera, normals, options));
+}
+
+image::Rgb8Image blank(int width, int height) {
+  image::Rgb8Image picture;
+  picture.width_px = width;
+  picture.height_px = height;
+  picture.rgb.assign(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
+  return picture;
+}
+
+image::Rgb8Image converted(report::RgbImage picture) {
+  return {picture.width, picture.height, std::move(picture.rgb)};
+}
+
+struct Colour {
+  std::uint8_t r, g, b;
+};
+
+void paint(image::Rgb8Image& picture, int x, int y, Colour colour) {
+  if (x < 0 || y < 0 || x >= picture.width_px || y >= picture.height_px) return;
+  const std::size_t at =
+      3 * (static_cast<std::size_t>(y) * picture.width_px + static_cast<std::size_t>(x));
+  picture.rgb[at] = colour.r;
+  picture.rgb[at + 1] = colour.g;
+  picture.rgb[at + 2] = colour.b;
+}
+
+}  // namespace
+
+image::Rgb8Image truth_picture(const AuditResult& result, const HeightfieldTruth& truth,
+                               const Camera& camera) {
+  const HitImage& hits = result.true_hits;
+  std::vector<glm::dvec3> normals(hits.size(), glm::dvec3(0.0));
+  parallel_for(static_cast<std::int64_t>(hits.size()), 4096, [&](std::int64_t k) {
+    const auto pixel = static_cast<std::size_t>(k);
+    if (hits.hit(pixel))
+      normals[pixel] =
+          reference::triangle_normal(truth.field(), truth.diagonal(), hits.primitive[pixel]);
+  });
+  return shaded(hits, normals, truth, camera);
+}
+
+image::Rgb8Image drawn_picture(const AuditResult& result, const HeightfieldTruth& truth,
+                               const DrawnSurface& surface, const Camera& camera) {
+  return shaded(result.drawn, raster::flat_normals(*surface.mesh, result.drawn), truth, camera);
+}
+
+image::Rgb8Image difference_picture(const image::Rgb8Image& a, const image::Rgb8Image& b) {
+  image::Rgb8Image difference = blank(a.width_px, a.height_px);
+  for (std::size_t k = 0; k < difference.rgb.size(); ++k) {
+    difference.rgb[k] = static_cast<std::uint8_t>(std::min(255, 4 * std::abs(a.rgb[k] - b.rgb[k])));
+  }
+  return difference;
+}
+
+image::Rgb8Image coverage_picture(const AuditResult& result) {
+  const Coverage& coverage = result.coverage;
+  image::Rgb8Image picture = blank(result.drawn.width_px, result.drawn.height_px);
+  for (int y = 0; y < picture.height_px; ++y) {
+    for (int x = 0; x < picture.width_px; ++x) {
+      const Demand demand = coverage.demand[result.drawn.index(x, y)];
+      const std::uint8_t grey = demand == Demand::Terrain ? 60 : demand == Demand::Sky ? 225 : 150;
+      paint(picture, x, y, {grey, grey, grey});
+    }
+  }
+  for (int y = 0; y < picture.height_px; ++y) {
+    for (int x = 0; x < picture.width_px; ++x) {
+      const DefectKind kind = coverage.defects[result.drawn.index(x, y)];
+      if (kind == DefectKind::None) continue;
+      const Colour colour = kind == DefectKind::Hole        ? Colour{230, 30, 30}
+                            : kind == DefectKind::Overshoot ? Colour{220, 40, 220}
+                                                            : Colour{255, 150, 0};
+      for (int b = -1; b <= 1; ++b) {
+        for (int a = -1; a <= 1; ++a) paint(picture, x + a, y + b, colour);
+      }
+    }
+  }
+  return picture;
+}
+
+ErrorMap error_map(const AuditResult& result, const std::vector<float>& errors_px,
+                   const std::string& title, double limit_px) {
+  const std::vector<double> values(errors_px.begin(), errors_px.end());
+  report::HeatMapOptions options;
+  options.title = title;
+  if (limit_px > 0.0) options.limit = limit_px;
+  const int width = result.drawn.width_px, height = result.drawn.height_px;
+  return {converted(report::heat_picture(width, height, values, options)),
+          converted(report::heat_legend(width, values, options)),
+          converted(report::heat_map(width, height, values, options))};
+}
+
+}  // namespace plumb::audit

@@ -1,0 +1,33 @@
+// The pictures of a report.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "audit/audit.h"
+#include "image/colour_image.h"
+#include "report/heat_map.h"
+
+namespace plumb::audit {
+
+/// The truth and the drawn picture in the same light, with the same height colours.
+image::Rgb8Image truth_picture(const AuditResult& result, const HeightfieldTruth& truth,
+                               const Camera& camera);
+image::Rgb8Image drawn_picture(const AuditResult& result, const HeightfieldTruth& truth,
+                               const DrawnSurface& surface, const Camera& camera);
+
+/// |a - b| of each channel, four times as strong, on black.
+image::Rgb8Image difference_picture(const image::Rgb8Image& a, const image::Rgb8Image& b);
+
+/// What the truth demands in greys (terrain dark, sky light, either between them); holes red,
+/// overshoots magenta, see-through cracks orange, each defect three pixels wide.
+image::Rgb8Image coverage_picture(const AuditResult& result);
+
+/// A map of errors in pixels whose scale ends at `limit_px` (if positive) or at the largest error.
+struct ErrorMap {
+  image::Rgb8Image picture, legend, both;
+};
+ErrorMap error_map(const AuditResult& result, const std::vector<float>& errors_px,
+                   const std::string& title, double limit_px);
+
+}  // namespace plumb::audit

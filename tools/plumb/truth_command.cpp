@@ -1,0 +1,190 @@
+// plumb truth: rays against the full-detail surface, by one caster or by two that must agree.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+
+#include "audit/caster_agreement.h"
+#include "audit/picture.h"
+#include "command.h"
+#include "common_options.h"
+#include "core/check.h"
+#include "core/hash.h"
+#include "core/parallel.h"
+#include "image/image_files.h"
+#include "progress.h"
+#include "reference/embree_caster.h"
+#include "reference/pyramid_caster.h"
+#include "terrain/terrain_source.h"
+#include "text_table.h"
+#include "version.h"
+
+namespace plumb::tool {
+namespace {
+
+struct TruthOptions {
+  TerrainOptions terrain;
+  CameraOptions camera;
+  std::string caster = "pyramid";
+  std::string output;
+  bool witness = false;
+  bool json = false;
+  int threads = 0;
+};
+
+struct Cast {
+  HitImage hits;
+  double build_s = 0.0, cast_s = 0.0;
+};
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+template <class Caster>
+Cast cast_with(const terrain::Heightfield& field, terrain::Diagonal diagonal,
+               const Camera& camera) {
+  Cast cast;
+  auto start = std::chrono::steady_clock::now();
+  const Caster caster(field, diagonal);
+  cast.build_s = seconds_since(start);
+  start = std::chrono::steady_clock::now();
+  cast.hits = caster.cast_frame(camera);
+  cast.cast_s = seconds_since(start);
+  return cast;
+}
+
+Cast cast(const std::string& caster, const terrain::Heightfield& field, terrain::Diagonal diagonal,
+          const Camera& camera) {
+  return caster == "embree" ? cast_with<reference::EmbreeCaster>(field, diagonal, camera)
+                            : cast_with<reference::PyramidCaster>(field, diagonal, camera);
+}
+
+void write_picture(const std::string& path, const terrain::Heightfield& field, const HitImage& hits,
+                   const Camera& camera, terrain::Diagonal diagonal) {
+  audit::PictureMaker maker;
+  maker.method = "truth";
+  maker.diagonal = diagonal;
+  maker.program_version = "plumb " + version_number();
+  const image::AovImage picture = audit::draw_truth_picture(field, hits, camera, maker);
+  const std::string extension = std::filesystem::path(path).extension().string();
+  if (extension == ".exr") {
+    image::write_exr(path, picture);
+  } else if (extension == ".png") {
+    image::write_png(path, audit::preview_of(picture));
+  } else {
+    input_error("-o '{}': expected a name that ends in .exr (all channels) or .png (a preview)",
+                path);
+  }
+}
+
+std::uint64_t checksum(const HitImage& hits) {
+  return Checksum()
+      .add(std::span<const double>(hits.depth_m))
+      .add(std::span<const std::uint32_t>(hits.primitive))
+      .value();
+}
+
+std::string truth_text(const TruthOptions& options, const Cast& cast, std::int64_t hits,
+                       const audit::CasterAgreement* agreement) {
+  std::vector<std::vector<std::string>> rows{
+      {"caster", options.caster},
+      {"rays", fmt::format("{}, of which {} hit", cast.hits.size(), hits)},
+      {"checksum", fmt::format("{:016x}", checksum(cast.hits))},
+      {"time", fmt::format("build {:.3f} s, cast {:.3f} s", cast.build_s, cast.cast_s)}};
+  if (agreement != nullptr) {
+    rows.push_back({"witness", fmt::format("{}: {} pixels hit by one alone, {} farther than 0.001 "
+                                           "px apart, at most {:.3g} px; {} ties named "
+                                           "another triangle",
+                                           agreement->agrees() ? "agrees" : "DISAGREES",
+                                           agreement->one_misses, agreement->apart,
+                                           agreement->largest_px, agreement->other_triangle)});
+    for (const audit::Disagreement& d : agreement->listed)
+      rows.push_back({"", fmt::format("pixel ({}, {}): {} px", d.x, d.y, d.apart_px)});
+  }
+  return text_table({{""}, {""}}, rows);
+}
+
+std::string truth_json(const TruthOptions& options, const Invocation& invocation, const Cast& cast,
+                       std::int64_t hits, const audit::CasterAgreement* agreement) {
+  nlohmann::ordered_json json{{"schema", "plumb.truth/1"},
+                              {"command", invocation.command_line()},
+                              {"caster", options.caster},
+                              {"rays", cast.hits.size()},
+                              {"hits", hits},
+                              {"checksum", fmt::format("{:016x}", checksum(cast.hits))}};
+  if (agreement != nullptr) {
+    json["witness"] = {{"agrees", agreement->agrees()},
+                       {"one_misses", agreement->one_misses},
+                       {"apart", agreement->apart},
+                       {"largest_px", agreement->largest_px},
+                       {"other_triangle", agreement->other_triangle}};
+  }
+  json["timing"] = {{"build_s", cast.build_s}, {"cast_s", cast.cast_s}};
+  return json.dump(2) + "\n";
+}
+
+int run_truth(const TruthOptions& options, const Invocation& invocation) {
+  const ThreadLimit limit(options.threads);
+  Progress progress;
+  progress.step("reading the terrain");
+  const terrain::Heightfield field = load(options.terrain);
+  const terrain::Diagonal diagonal = terrain::parse_diagonal(options.terrain.diagonal);
+  const Camera camera = make_camera(look_at(options.camera, field));
+  progress.step("casting rays");
+  const Cast found = cast(options.caster, field, diagonal, camera);
+  std::int64_t hits = 0;
+  for (std::size_t pixel = 0; pixel < found.hits.size(); ++pixel) hits += found.hits.hit(pixel);
+  std::optional<audit::CasterAgreement> agreement;
+  if (options.witness) {
+    progress.step("asking the witness");
+    const Cast other =
+        cast(options.caster == "embree" ? "pyramid" : "embree", field, diagonal, camera);
+    agreement = audit::compare_casters(found.hits, other.hits, camera);
+  }
+  if (!options.output.empty()) {
+    progress.step("writing the picture");
+    write_picture(options.output, field, found.hits, camera, diagonal);
+  }
+  progress.finish();
+  const audit::CasterAgreement* judged = agreement ? &*agreement : nullptr;
+  std::cout << (options.json ? truth_json(options, invocation, found, hits, judged)
+                             : truth_text(options, found, hits, judged));
+  return judged != nullptr && !judged->agrees() ? 1 : 0;
+}
+
+}  // namespace
+
+Command truth_command() {
+  Command command;
+  command.name = "truth";
+  command.summary =
+      "Cast rays at the full-detail surface; with --witness by two casters that must agree (exit "
+      "status 1 if not)";
+  command.example =
+      "plumb truth 'generate:alpine?size=513' --camera oblique --size 640x360 --witness -o "
+      "truth.exr";
+  command.declare = [](Options& options) -> Action {
+    const auto values = std::make_shared<TruthOptions>();
+    add_terrain_options(options, values->terrain);
+    add_camera_options(options, values->camera);
+    options.group("Truth");
+    options.choice(values->caster, "--caster", {"pyramid", "embree"},
+                   "Who casts: the min/max pyramid (default), or Embree with decisions in double");
+    options.flag(values->witness, "--witness", "Ask the other caster as well and compare");
+    options.group("Output");
+    add_output_option(options, values->output,
+                      "Write the picture: .exr with every channel, or .png as a preview");
+    add_json_option(options, values->json);
+    add_threads_option(options, values->threads);
+    return [values](const Invocation& invocation) { return run_truth(*values, invocation); };
+  };
+  return command;
+}
+
+}  // namespace plumb::tool
