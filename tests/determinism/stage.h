@@ -15,7 +15,12 @@ struct Stage {
 /// One function a stage; a module's stages stand in stages/MODULE_stages.cpp and its row in
 /// stage_hashes.cpp.
 std::vector<Stage> core_stages();
+std::vector<Stage> terrain_stages();
+std::vector<Stage> raster_stages();
+std::vector<Stage> reference_stages();
 std::vector<Stage> report_stages();
+std::vector<Stage> mesh_stages();
+std::vector<Stage> audit_stages();
 
 /// Numbers that look random and are the same everywhere.
 class Sequence {

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <string_view>
 
-#include "audit/camera_file.h"
 #include "core/check.h"
 #include "core/number_text.h"
+#include "terrain/camera_presets.h"
 #include "terrain/terrain_source.h"
 
 namespace plumb::tool {
@@ -66,15 +66,18 @@ terrain::Heightfield load(const TerrainOptions& options, bool require_spacing) {
 }
 
 void add_camera_options(Options& options, CameraOptions& camera) {
+  std::string presets;
+  for (const terrain::PresetHelp& preset : terrain::preset_help())
+    presets += (presets.empty() ? "" : ", ") + preset.name;
   options.group("Camera");
-  options.text(camera.camera, "--camera", "CAMERA",
-               "A preset (oblique, top, grazing, valley), a TOML file, or the numbers "
-               "ex,ey,ez,tx,ty,tz[,fov] (oblique)");
+  options.text(
+      camera.camera, "--camera", "CAMERA",
+      "A preset (" + presets + "), a TOML file, or the numbers ex,ey,ez,tx,ty,tz[,fov] (oblique)");
   options.text(camera.size, "--size", "WxH", "Size of the image in pixels (1920x1080)");
   options.number(camera.fov_y_deg, "--fov", "DEG", "Vertical field of view (50)");
 }
 
-LookAt look_at(const CameraOptions& options, const terrain::Heightfield& field) {
+audit::CameraDescription camera_description(const CameraOptions& options) {
   audit::CameraDescription camera;
   std::error_code ignored;
   if (options.camera.ends_with(".toml") ||
@@ -91,7 +94,11 @@ LookAt look_at(const CameraOptions& options, const terrain::Heightfield& field) 
     camera.height_px = size.height_px;
   }
   if (options.fov_y_deg) camera.fov_y_deg = options.fov_y_deg;
-  return audit::resolve_camera(camera, field);
+  return camera;
+}
+
+LookAt look_at(const CameraOptions& options, const terrain::Heightfield& field) {
+  return audit::resolve_camera(camera_description(options), field);
 }
 
 void add_threads_option(Options& options, int& threads) {
