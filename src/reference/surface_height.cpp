@@ -18,8 +18,6 @@ constexpr double kBorder = 1e-9;  // cells
 
 // Height at (a, b) in [0, 1]^2 of one half of a cell, and how far inside the half the place lies
 // (cells, negative outside).
-// Height at (a, b) in [0, 1]^2 of one half of a cell, and how far inside the half the place lies
-// (cells, negative outside).
 struct Half {
   double height, inside;
 };
@@ -49,9 +47,6 @@ Place locate(double coordinate, int cells) {
   return {cell, std::clamp(coordinate - cell, 0.0, 1.0)};
 }
 
-constexpr SurfacePoint kNowhere{std::numeric_limits<double>::quiet_NaN(), kNoPrimitive};
-
-// The first half of the cell that exists and holds the place, give or take `slack` cells.
 constexpr SurfacePoint kNowhere{std::numeric_limits<double>::quiet_NaN(), kNoPrimitive};
 
 // The first half of the cell that exists and holds the place, give or take `slack` cells.

@@ -121,7 +121,9 @@ TEST(Preview, HasThePicturesColours) {
   const image::AovImage picture =
       draw_picture(square.field, square.hits, square.surface, square.camera, {});
   EXPECT_EQ(preview_of(picture).g, picture.g);
-  EXPECT_THROW(preview_of(image::AovImage{2, 2}), std::invalid_argument);
+  image::AovImage colourless;
+  colourless.width_px = colourless.height_px = 2;
+  EXPECT_THROW(preview_of(colourless), std::invalid_argument);
 }
 
 std::string bytes_of(const std::string& path) {
