@@ -121,7 +121,7 @@ TEST(Preview, HasThePicturesColours) {
   const image::AovImage picture =
       draw_picture(square.field, square.hits, square.surface, square.camera, {});
   EXPECT_EQ(preview_of(picture).g, picture.g);
-  EXPECT_THROW(preview_of(image::AovImage{2, 2}), std::invalid_argument);
+  EXPECT_THROW(preview_of(image::AovImage()), std::invalid_argument);
 }
 
 std::string bytes_of(const std::string& path) {
