@@ -83,7 +83,7 @@ class LegendWriter {
       }
       ticks(scale, unit, x0, columns, y_ + rows);
     }
-    y_ += rows + 3 * scale_ + kTextLineHeight * scale_;
+    y_ += rows + 3 * scale_ + kTextLineHeight * scale_ + 2 * scale_;
   }
 
  private:

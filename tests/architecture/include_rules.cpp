@@ -99,7 +99,19 @@ std::string objection(const std::string& file, const std::string& included) {
   return "a method may not know another (" + neighbour + ")";
 }
 
-std::string heavy_objection(const fs::path& file, const std::string& module,
+// A header that the module's list names goes out to users; one that it does not stays inside.
+bool is_private(const fs::path& root, const fs::path& file, const std::string& module) {
+  if (file.extension() == ".cpp") return true;
+  if (module.empty()) return false;
+  std::ifstream list(root / "src" / module / "CMakeLists.txt");
+  const std::string name = fs::relative(file, root / "src" / module).generic_string();
+  for (std::string word; list >> word;) {
+    if (word == name || word == name + ")") return false;
+  }
+  return true;
+}
+
+std::string heavy_objection(const fs::path& root, const fs::path& file, const std::string& module,
                             const Include& include) {
   for (const HeavyLibrary& library : heavy_libraries()) {
     const bool meant = std::any_of(
@@ -110,7 +122,8 @@ std::string heavy_objection(const fs::path& file, const std::string& module,
     if (!module.empty() && library.modules && !library.modules->contains(module))
       return module + " may not know " + library.name;
     if (module.empty() && library.modules) return std::string("only src/ knows ") + library.name;
-    if (file.extension() != ".cpp") return std::string("no header shows ") + library.name;
+    if (!is_private(root, file, module))
+      return std::string("no installed header shows ") + library.name;
   }
   return "";
 }
@@ -141,7 +154,8 @@ void check_file(const fs::path& root, const fs::path& file, std::vector<std::str
     if (why.empty() && part(below_root, 1) == "compare" &&
         include.path.compare(0, 6, "plumb/") == 0)
       why = "compare may not know the command";
-    if (why.empty() && !is_ours(root, file, include)) why = heavy_objection(file, module, include);
+    if (why.empty() && !is_ours(root, file, include))
+      why = heavy_objection(root, file, module, include);
     if (!why.empty()) {
       broken.push_back(below_root + ":" + std::to_string(include.line) + ": includes " +
                        include.path + ": " + why);

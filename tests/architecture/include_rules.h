@@ -18,9 +18,9 @@ namespace plumb::testing {
 ///       `slicing` may use `raster`, but no method may use `reference`; `reference` includes
 ///       neither `raster` nor a method; a method's folder includes no other method's.
 ///   (2) src/ includes nothing of tools/ or tests/; tools/compare nothing of tools/plumb.
-///   (3) Embree is known to .cpp files of `reference` alone, OpenImageIO to those of `image` and
-///       `terrain`, GDAL to those of `terrain`; the TOML, JSON and command-line libraries to no
-///       header.
+///   (3) Embree is known to `reference` alone, OpenImageIO to `image` and `terrain`, GDAL to
+///       `terrain`; these and the TOML, JSON and command-line libraries to no header that is
+///       installed (that the folder's CMakeLists.txt names).
 ///   (4) A folder of src/ that the walls do not know is a violation.
 std::vector<std::string> broken_walls(const std::filesystem::path& root);
 

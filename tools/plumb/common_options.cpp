@@ -6,6 +6,7 @@
 
 #include "core/check.h"
 #include "core/number_text.h"
+#include "terrain/camera_presets.h"
 #include "terrain/terrain_source.h"
 
 namespace plumb::tool {
@@ -65,10 +66,13 @@ terrain::Heightfield load(const TerrainOptions& options, bool require_spacing) {
 }
 
 void add_camera_options(Options& options, CameraOptions& camera) {
+  std::string presets;
+  for (const terrain::PresetHelp& preset : terrain::preset_help())
+    presets += (presets.empty() ? "" : ", ") + preset.name;
   options.group("Camera");
-  options.text(camera.camera, "--camera", "CAMERA",
-               "A preset (oblique, top, grazing, valley), a TOML file, or the numbers "
-               "ex,ey,ez,tx,ty,tz[,fov] (oblique)");
+  options.text(
+      camera.camera, "--camera", "CAMERA",
+      "A preset (" + presets + "), a TOML file, or the numbers ex,ey,ez,tx,ty,tz[,fov] (oblique)");
   options.text(camera.size, "--size", "WxH", "Size of the image in pixels (1920x1080)");
   options.number(camera.fov_y_deg, "--fov", "DEG", "Vertical field of view (50)");
 }

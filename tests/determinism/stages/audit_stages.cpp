@@ -83,7 +83,7 @@ std::uint64_t whole_audit(bool sound) {
   const DrawnSurface surface = drawn(field, camera);
   const audit::HeightfieldTruth truth(field, terrain::Diagonal::Alternating);
   audit::AuditOptions options;
-  options.band_px = kTolerance.value;
+  options.band.pixels = kTolerance.value;
   const AuditResult result =
       audit::audit_surface(truth, sound ? surface : damaged(surface), camera, options);
   Checksum sum;

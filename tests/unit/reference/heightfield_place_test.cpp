@@ -1,6 +1,8 @@
 // The truth at a place, and the nearest truth to a point.
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
