@@ -257,6 +257,13 @@ std::vector<std::string> write_report(const fs::path& folder, const AuditResult&
     add_map("nearest", "nearest-error.png", result.nearest.forward_px,
             "Distance on screen to the nearest point of the truth");
   }
+  viewer.images.push_back({"triangles",
+                           "Each triangle outlined; the lighter, the coarser its level.",
+                           png("triangles.png", triangles_picture(result, surface)),
+                           {}});
+  png("summary.png",
+      side_by_side(
+          {true_picture, drawn, error_map(result, result.pixels.vertical_px, "", bound).picture}));
   viewer.images.push_back({"coverage",
                            "Dark: must be terrain; light: must be sky; between: either. Red: hole; "
                            "magenta: overshoot; orange: see-through.",

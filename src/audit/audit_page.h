@@ -18,6 +18,8 @@ namespace plumb::audit {
 ///   pixel-error.png   heat map with its legend, in pixels; the claimed bound is the scale's end
 ///   nearest-error.png the same for the nearest point, if measured
 ///   coverage.png      demands in grey, defects in colour
+///   triangles.png     each triangle outlined, coloured by level
+///   summary.png       truth, drawn and pixel error side by side
 /// Returns the files' names. Throws InputError if one cannot be written; what stood there before is
 /// then still there.
 std::vector<std::string> write_report(const std::filesystem::path& folder,

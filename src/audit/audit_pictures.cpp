@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 #include "core/parallel.h"
 #include "image/srgb.h"
@@ -97,6 +98,51 @@ image::Rgb8Image coverage_picture(const AuditResult& result) {
     }
   }
   return picture;
+}
+
+image::Rgb8Image triangles_picture(const AuditResult& result, const DrawnSurface& surface) {
+  const HitImage& drawn = result.drawn;
+  std::vector<double> levels(drawn.size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t pixel = 0; pixel < drawn.size(); ++pixel) {
+    if (!drawn.hit(pixel)) continue;
+    levels[pixel] =
+        surface.triangle_lod.empty() ? 0.0 : surface.triangle_lod[drawn.primitive[pixel]];
+  }
+  report::HeatMapOptions options;
+  options.unit = "levels";
+  image::Rgb8Image picture =
+      converted(report::heat_picture(drawn.width_px, drawn.height_px, levels, options));
+  constexpr Colour kOutline{15, 15, 20};
+  for (int y = 0; y < drawn.height_px; ++y) {
+    for (int x = 0; x < drawn.width_px; ++x) {
+      const std::uint32_t here = drawn.primitive[drawn.index(x, y)];
+      const bool left = x > 0 && drawn.primitive[drawn.index(x - 1, y)] != here;
+      const bool above = y > 0 && drawn.primitive[drawn.index(x, y - 1)] != here;
+      if (here != kNoPrimitive && (left || above)) paint(picture, x, y, kOutline);
+    }
+  }
+  return picture;
+}
+
+image::Rgb8Image side_by_side(const std::vector<image::Rgb8Image>& pictures) {
+  constexpr int kGap = 8;
+  int width = 0, height = 0;
+  for (const image::Rgb8Image& picture : pictures) {
+    width += picture.width_px + (width > 0 ? kGap : 0);
+    height = std::max(height, picture.height_px);
+  }
+  image::Rgb8Image joined = blank(width, height);
+  std::fill(joined.rgb.begin(), joined.rgb.end(), std::uint8_t{255});
+  int left = 0;
+  for (const image::Rgb8Image& picture : pictures) {
+    for (int y = 0; y < picture.height_px; ++y) {
+      const auto row = picture.rgb.begin() + static_cast<std::ptrdiff_t>(3) * y * picture.width_px;
+      std::copy(row, row + static_cast<std::ptrdiff_t>(3) * picture.width_px,
+                joined.rgb.begin() + 3 * (static_cast<std::ptrdiff_t>(y) * width + left));
+    }
+    left += picture.width_px + kGap;
+  }
+  return joined;
 }
 
 ErrorMap error_map(const AuditResult& result, const std::vector<float>& errors_px,

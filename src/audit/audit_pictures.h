@@ -23,6 +23,12 @@ image::Rgb8Image difference_picture(const image::Rgb8Image& a, const image::Rgb8
 /// overshoots magenta, see-through cracks orange, each defect three pixels wide.
 image::Rgb8Image coverage_picture(const AuditResult& result);
 
+/// The triangles as drawn: coloured by level where they have levels, each outlined in dark.
+image::Rgb8Image triangles_picture(const AuditResult& result, const DrawnSurface& surface);
+
+/// Pictures of one height next to each other, a few white pixels apart.
+image::Rgb8Image side_by_side(const std::vector<image::Rgb8Image>& pictures);
+
 /// A map of errors in pixels whose scale ends at `limit_px` (if positive) or at the largest error.
 struct ErrorMap {
   image::Rgb8Image picture, legend, both;
