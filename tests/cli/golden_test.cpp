@@ -165,6 +165,17 @@ TEST_F(Golden, TakesAPictureForASceneAndNoNameTwice) {
   EXPECT_EQ(run({"check"}).status, 0);
 }
 
+TEST_F(Golden, TakesATruthFromItsPicture) {
+  ASSERT_EQ(run_plumb({"truth", "generate:alpine?size=33&voids=0.1", "--window", "2,3,25,28",
+                       "--diagonal", "fixed", "--size", "40x30", "-o", folder_.file("truth.exr")})
+                .status,
+            0);
+  EXPECT_EQ(run({"add", "truth", folder_.file("truth.exr"), "--why", "The truth."}).status, 0);
+  EXPECT_EQ(run({"check"}).status, 0);
+  EXPECT_EQ(text_of(golden() / "truth" / "ref" / "picture.exr"),
+            text_of(folder_.file("truth.exr")));
+}
+
 // The house's own cases.
 TEST(GoldenFolder, IsSmallAndSaysWhyEachCaseIsThere) {
   const fs::path folder = PLUMB_SOURCE_DIR "/tests/golden";

@@ -11,6 +11,7 @@
 
 #include "audit/caster_agreement.h"
 #include "audit/picture.h"
+#include "audit/scene.h"
 #include "command.h"
 #include "common_options.h"
 #include "core/check.h"
@@ -65,13 +66,27 @@ Cast cast(const std::string& caster, const terrain::Heightfield& field, terrain:
                             : cast_with<reference::PyramidCaster>(field, diagonal, camera);
 }
 
-void write_picture(const std::string& path, const terrain::Heightfield& field, const HitImage& hits,
-                   const Camera& camera, terrain::Diagonal diagonal) {
+// What draws the picture again, for its header.
+audit::Scene scene_of(const TruthOptions& options, const terrain::Heightfield& field,
+                      const LookAt& view) {
+  audit::Scene scene;
+  scene.terrain = field.provenance.source;
+  scene.read = read_options(options.terrain);
+  scene.diagonal = options.terrain.diagonal;
+  scene.camera = audit::description_of(view);
+  scene.painter = audit::Painter::Truth;
+  return scene;
+}
+
+void write_picture(const TruthOptions& options, const terrain::Heightfield& field,
+                   const HitImage& hits, const LookAt& view) {
+  const std::string& path = options.output;
   audit::PictureMaker maker;
   maker.method = "truth";
-  maker.diagonal = diagonal;
+  maker.diagonal = terrain::parse_diagonal(options.terrain.diagonal);
   maker.program_version = version_number();
-  const image::AovImage picture = audit::draw_truth_picture(field, hits, camera, maker);
+  maker.scene_toml = audit::to_toml(scene_of(options, field, view));
+  const image::AovImage picture = audit::draw_truth_picture(field, hits, make_camera(view), maker);
   const std::string extension = std::filesystem::path(path).extension().string();
   if (extension == ".exr") {
     image::write_exr(path, picture);
@@ -135,7 +150,8 @@ int run_truth(const TruthOptions& options, const Invocation& invocation) {
   progress.step("reading the terrain");
   const terrain::Heightfield field = load(options.terrain);
   const terrain::Diagonal diagonal = terrain::parse_diagonal(options.terrain.diagonal);
-  const Camera camera = make_camera(look_at(options.camera, field));
+  const LookAt view = look_at(options.camera, field);
+  const Camera camera = make_camera(view);
   progress.step("casting rays");
   const Cast found = cast(options.caster, field, diagonal, camera);
   std::int64_t hits = 0;
@@ -149,7 +165,7 @@ int run_truth(const TruthOptions& options, const Invocation& invocation) {
   }
   if (!options.output.empty()) {
     progress.step("writing the picture");
-    write_picture(options.output, field, found.hits, camera, diagonal);
+    write_picture(options, field, found.hits, view);
   }
   progress.finish();
   const audit::CasterAgreement* judged = agreement ? &*agreement : nullptr;
