@@ -1,16 +1,10 @@
-// The only file that knows the TOML library for cameras.
 #include "audit/camera_file.h"
 
-#include <fmt/ranges.h>
-#define TOML_EXCEPTIONS 1
-#include <toml++/toml.h>
-
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <vector>
 
+#include "audit/toml_document.h"
 #include "core/check.h"
 #include "core/number_text.h"
 #include "terrain/camera_presets.h"
@@ -18,66 +12,26 @@
 namespace plumb::audit {
 namespace {
 
-// One key's value in a file, with what a message needs to say where it stands.
-struct Entry {
-  const toml::node& node;
-  std::string where;  // "camera.toml, line 3: eye"
-};
-
-double number(const Entry& entry) {
-  const std::optional<double> value = entry.node.value<double>();
-  if (!entry.node.is_number() || !value) input_error("{}: expected a number", entry.where);
-  return *value;
-}
-
-int whole_number(const Entry& entry) {
-  const std::optional<std::int64_t> value = entry.node.value<std::int64_t>();
-  if (!entry.node.is_integer() || !value || *value < 1 || *value > 65536)
-    input_error("{}: expected a whole number from 1 to 65536", entry.where);
-  return static_cast<int>(*value);
-}
-
-glm::dvec3 vector(const Entry& entry) {
-  const toml::array* array = entry.node.as_array();
-  if (array == nullptr || array->size() != 3)
-    input_error("{}: expected three numbers, [x, y, z]", entry.where);
-  glm::dvec3 result;
-  for (int axis = 0; axis < 3; ++axis) {
-    result[axis] = number({*array->get(static_cast<std::size_t>(axis)), entry.where});
-    if (!std::isfinite(result[axis])) input_error("{}: expected finite numbers", entry.where);
-  }
-  return result;
-}
-
-std::string word(const Entry& entry) {
-  const std::optional<std::string> value = entry.node.value<std::string>();
-  if (!entry.node.is_string() || !value || value->empty())
-    input_error("{}: expected a name in quotes", entry.where);
-  return *value;
-}
+constexpr int kLargestSide_px = 65536;
 
 struct Key {
   const char* name;
-  void (*read)(CameraDescription&, const Entry&);
+  void (*read)(CameraDescription&, const TomlValue&);
 };
 
 constexpr Key kKeys[] = {
-    {"eye", [](CameraDescription& c, const Entry& e) { c.eye_m = vector(e); }},
-    {"target", [](CameraDescription& c, const Entry& e) { c.target_m = vector(e); }},
-    {"up", [](CameraDescription& c, const Entry& e) { c.up = vector(e); }},
-    {"fov_y_deg", [](CameraDescription& c, const Entry& e) { c.fov_y_deg = number(e); }},
-    {"width", [](CameraDescription& c, const Entry& e) { c.width_px = whole_number(e); }},
-    {"height", [](CameraDescription& c, const Entry& e) { c.height_px = whole_number(e); }},
-    {"near", [](CameraDescription& c, const Entry& e) { c.near_m = number(e); }},
-    {"far", [](CameraDescription& c, const Entry& e) { c.far_m = number(e); }},
-    {"preset", [](CameraDescription& c, const Entry& e) { c.preset = word(e); }},
+    {"eye", [](CameraDescription& c, const TomlValue& v) { c.eye_m = vector_in(v); }},
+    {"target", [](CameraDescription& c, const TomlValue& v) { c.target_m = vector_in(v); }},
+    {"up", [](CameraDescription& c, const TomlValue& v) { c.up = vector_in(v); }},
+    {"fov_y_deg", [](CameraDescription& c, const TomlValue& v) { c.fov_y_deg = number_in(v); }},
+    {"width", [](CameraDescription& c,
+                 const TomlValue& v) { c.width_px = whole_number_in(v, 1, kLargestSide_px); }},
+    {"height", [](CameraDescription& c,
+                  const TomlValue& v) { c.height_px = whole_number_in(v, 1, kLargestSide_px); }},
+    {"near", [](CameraDescription& c, const TomlValue& v) { c.near_m = number_in(v); }},
+    {"far", [](CameraDescription& c, const TomlValue& v) { c.far_m = number_in(v); }},
+    {"preset", [](CameraDescription& c, const TomlValue& v) { c.preset = word_in(v); }},
 };
-
-[[noreturn]] void unknown_key(const std::string& where) {
-  std::vector<std::string> names;
-  for (const Key& key : kKeys) names.emplace_back(key.name);
-  input_error("{}: unknown key; a camera has {}", where, fmt::join(names, ", "));
-}
 
 void require_whole(const CameraDescription& camera, const std::string& name) {
   const bool placed = camera.eye_m || camera.target_m || camera.up;
@@ -89,34 +43,30 @@ void require_whole(const CameraDescription& camera, const std::string& name) {
 
 }  // namespace
 
-CameraDescription parse_camera_toml(const std::string& text, const std::string& name) {
-  toml::table table;
-  try {
-    table = toml::parse(text);
-  } catch (const toml::parse_error& error) {
-    input_error("{}, line {}: {}", name, error.source().begin.line, error.description());
-  }
+CameraDescription camera_in(const TomlTable& table, const std::string& name) {
   CameraDescription camera;
-  for (const auto& [key, node] : table) {
-    const std::string where =
-        fmt::format("{}, line {}: {}", name, node.source().begin.line, std::string_view(key.str()));
+  for (const auto& [key, value] : table) {
     const Key* known = nullptr;
     for (const Key& candidate : kKeys) {
-      if (key.str() == candidate.name) known = &candidate;
+      if (key == candidate.name) known = &candidate;
     }
-    if (known == nullptr) unknown_key(where);
-    known->read(camera, {node, where});
+    if (known == nullptr) {
+      std::vector<std::string> names;
+      for (const Key& candidate : kKeys) names.emplace_back(candidate.name);
+      unknown_key(value, "a camera", names);
+    }
+    known->read(camera, value);
   }
   require_whole(camera, name);
   return camera;
 }
 
+CameraDescription parse_camera_toml(const std::string& text, const std::string& name) {
+  return camera_in(parse_toml(text, name), name);
+}
+
 CameraDescription read_camera_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (file) text << file.rdbuf();
-  if (!file) input_error("cannot read the camera file '{}'", path);
-  return parse_camera_toml(text.str(), path);
+  return parse_camera_toml(read_text_file(path, "camera file"), path);
 }
 
 std::optional<CameraDescription> parse_camera_numbers(const std::string& text) {

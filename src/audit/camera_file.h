@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "audit/toml_document.h"
 #include "core/camera.h"
 #include "terrain/heightfield.h"
 
@@ -34,6 +35,9 @@ CameraDescription read_camera_file(const std::string& path);
 
 /// The same from the text of such a file; `name` stands for it in messages.
 CameraDescription parse_camera_toml(const std::string& text, const std::string& name);
+
+/// The same from a table of a larger file, [camera] of a scene.
+CameraDescription camera_in(const TomlTable& table, const std::string& name);
 
 /// Six or seven numbers: "ex,ey,ez,tx,ty,tz[,fov_y_deg]". Nothing if the text does not look like a
 /// list of numbers (is a name); throws InputError if it does and is not six or seven of them.

@@ -29,10 +29,10 @@ std::string one_line(std::string text) {
   input_error("cannot {} '{}': {}", verb, path.string(), one_line(cause));
 }
 
-// Encodes in memory and writes the bytes ourselves: OpenImageIO's PNG writer does not notice a full
-// disk.
-void write(const fs::path& path, const char* format, const OIIO::ImageSpec& spec,
-           const void* pixels) {
+// Encodes in memory, so that the bytes are ours to write: OpenImageIO's PNG writer does not notice
+// a full disk.
+std::string encoded(const fs::path& path, const char* format, const OIIO::ImageSpec& spec,
+                    const void* pixels) {
   const auto output = OIIO::ImageOutput::create(format);
   if (!output) cannot("write", path, OIIO::geterror());
   OIIO::Filesystem::IOVecOutput memory;
@@ -41,7 +41,7 @@ void write(const fs::path& path, const char* format, const OIIO::ImageSpec& spec
                     output->close();
   if (!done) cannot("write", path, output->geterror());
   const std::vector<unsigned char>& bytes = memory.buffer();
-  write_file_atomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 std::unique_ptr<OIIO::ImageInput> open(const fs::path& path) {
@@ -122,7 +122,7 @@ void for_each_rgb(const std::vector<T>& pixels, int channel_count, const Put& pu
 
 }  // namespace
 
-void write_exr(const fs::path& path, const AovImage& image) {
+std::string exr_bytes(const AovImage& image) {
   require_valid(image);
   std::vector<Channel> present;
   for (const Channel& channel : channels()) {
@@ -136,7 +136,11 @@ void write_exr(const fs::path& path, const AovImage& image) {
   spec.attribute("compression", "zip");
   spec.attribute("DateTime", kNoTime);
   set_metadata(image.metadata, spec);
-  write(path, "exr", spec, interleaved(image, present).data());
+  return encoded("picture.exr", "exr", spec, interleaved(image, present).data());
+}
+
+void write_exr(const fs::path& path, const AovImage& image) {
+  write_file_atomically(path, exr_bytes(image));
 }
 
 AovImage read_exr(const fs::path& path) {
@@ -176,7 +180,7 @@ void write_png(const fs::path& path, const Rgb8Image& image) {
           image.height_px, bytes, image.rgb.size());
   OIIO::ImageSpec spec(image.width_px, image.height_px, 3, OIIO::TypeDesc::UINT8);
   spec.attribute("oiio:ColorSpace", "sRGB");
-  write(path, "png", spec, image.rgb.data());
+  write_file_atomically(path, encoded(path, "png", spec, image.rgb.data()));
 }
 
 void write_png(const fs::path& path, const ColourImage& image) { write_png(path, to_srgb8(image)); }

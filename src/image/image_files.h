@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "image/aov_image.h"
 #include "image/colour_image.h"
@@ -16,6 +17,8 @@ namespace plumb::image {
 /// Throws InputError with path and cause if it cannot be written, std::invalid_argument if the
 /// image is not valid or a metadata name is empty.
 void write_exr(const std::filesystem::path& path, const AovImage& image);
+/// The bytes of that file.
+std::string exr_bytes(const AovImage& image);
 
 /// Reads the channels of `channels()` that the file has, by name, and the metadata under "plumb:".
 /// Other channels are ignored. Throws InputError with path and cause if the file cannot be read,

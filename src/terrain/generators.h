@@ -41,9 +41,9 @@ bool is_generator(const std::string& argument);
 ///   checkerboard  height + relief where floor(i / tile) + floor(j / tile) is odd, else height
 ///   alpine        ridged multifractal: terrain/alpine.h
 ///
-///   (1) The heights do not depend on origin, and those of alpine, spike's apart from its place,
-///       plane, tilted-plane without relief, sinusoid and checkerboard not on size either: a
-///       smaller terrain is the south-west corner of a larger one.
+///   (1) Heights do not depend on the origin. Those of alpine, plane, tilted-plane (without
+///       relief), sinusoid and checkerboard do not depend on the size either: a smaller terrain is
+///       the south-west corner of a larger one (its voids need not be).
 ///   (2) provenance.source names every parameter with its value, and gives the same terrain again.
 /// Throws InputError that lists the known generators or parameters for an unknown one, that says
 /// what was expected for a value that is out of range, and if the memory does not suffice.

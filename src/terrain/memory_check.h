@@ -4,11 +4,9 @@
 #include <cstdint>
 #include <string>
 
-namespace plumb::terrain {
+#include "core/memory.h"
 
-/// Bytes that this process can still get: what the system says is available, or what is left of the
-/// control group's or the address space's limit if that is less.
-std::uint64_t available_memory_bytes();
+namespace plumb::terrain {
 
 /// Throws InputError ("NAME needs N bytes, there are M") unless `columns` x `rows` samples of
 /// `bytes_per_sample` fit into `available_bytes`, and if there are more cells than a heightfield

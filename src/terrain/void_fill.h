@@ -13,9 +13,8 @@ namespace plumb::terrain {
 ///       in the lower column wins, then the one in the lower row.
 ///   (2) A terrain without voids, or of nothing else, stays as it is.
 /// Linear in the number of samples; the same bits on any number of threads.
-/// Source: the exact distance transform by lower envelopes of parabolas, in `docs/references.md`
-/// [Felzenszwalb & Huttenlocher 2012, section 2], with the row of the nearest sample kept beside
-/// each distance.
+/// Source: [Felzenszwalb & Huttenlocher 2012, section 2], the exact distance transform by lower
+/// envelopes of parabolas, with the row of the nearest sample kept beside each distance.
 std::int64_t fill_voids(Heightfield& field);
 
 }  // namespace plumb::terrain

@@ -18,9 +18,9 @@ std::vector<Stage> core_stages();
 std::vector<Stage> terrain_stages();
 std::vector<Stage> raster_stages();
 std::vector<Stage> reference_stages();
+std::vector<Stage> report_stages();
 std::vector<Stage> mesh_stages();
 std::vector<Stage> audit_stages();
-std::vector<Stage> report_stages();
 
 /// Numbers that look random and are the same everywhere.
 class Sequence {

@@ -13,6 +13,7 @@
 #include "core/parallel.h"
 #include "method_options.h"
 #include "progress.h"
+#include "terrain/mesh_file.h"
 #include "terrain/terrain_source.h"
 #include "text_table.h"
 
@@ -26,7 +27,7 @@ struct AuditCommandOptions {
   TerrainOptions terrain;
   CameraOptions camera;
   MethodOptions method;
-  std::string mesh_file;
+  std::string mesh_file, mesh_origin, mesh_up = "z";
   std::vector<std::string> limits;
   std::string output;
   bool without_nearest = false;
@@ -118,6 +119,44 @@ std::string audit_text(const AuditResult& result) {
   return text + "\n" + audit::verdict_sentence(result) + "\n";
 }
 
+// What is drawn, and how long it took: a method's surface, or a mesh from a file.
+struct Subject {
+  DrawnSurface surface;
+  double prepare_s = 0.0, draw_s = 0.0;
+};
+
+Subject draw_method(const MethodRequest& request, const terrain::Heightfield& field,
+                    const Camera& camera, Progress& progress) {
+  Subject subject;
+  progress.step("preparing the method");
+  auto start = std::chrono::steady_clock::now();
+  const auto prepared =
+      audit::prepare_method(*request.method, field, request.choice, request.tolerance);
+  subject.prepare_s = seconds_since(start);
+  progress.step("drawing");
+  start = std::chrono::steady_clock::now();
+  subject.surface = prepared->draw(camera, request.tolerance);
+  subject.draw_s = seconds_since(start);
+  return subject;
+}
+
+Subject read_subject(const AuditCommandOptions& options, Progress& progress) {
+  progress.step("reading the mesh");
+  terrain::MeshReadOptions read;
+  read.up_axis = options.mesh_up == "y" ? terrain::UpAxis::Y : terrain::UpAxis::Z;
+  if (!options.mesh_origin.empty())
+    read.origin_m = parse_point(options.mesh_origin, "--mesh-origin");
+  auto mesh = std::make_shared<TriangleMesh>(terrain::read_mesh(options.mesh_file, read));
+  Subject subject;
+  subject.surface.cost.vertices = static_cast<std::int64_t>(mesh->vertices_m.size());
+  subject.surface.cost.triangles = static_cast<std::int64_t>(mesh->triangles.size());
+  subject.surface.mesh = std::move(mesh);
+  subject.surface.notes.push_back(
+      "A mesh from a file claims nothing but to have no hole; give limits with --limit to have it "
+      "judged.");
+  return subject;
+}
+
 int run_audit(const AuditCommandOptions& options, const Invocation& invocation) {
   const ThreadLimit limit(options.threads);
   const MethodRequest request = method_request(options.method);
@@ -132,23 +171,18 @@ int run_audit(const AuditCommandOptions& options, const Invocation& invocation) 
   progress.step("reading the terrain");
   const terrain::Heightfield field = load(options.terrain);
   const Camera camera = make_camera(look_at(options.camera, field));
-  progress.step("preparing the method");
-  auto start = std::chrono::steady_clock::now();
-  const auto prepared =
-      audit::prepare_method(*request.method, field, request.choice, request.tolerance);
-  const double prepare_s = seconds_since(start);
-  progress.step("drawing");
-  start = std::chrono::steady_clock::now();
-  const DrawnSurface surface = prepared->draw(camera, request.tolerance);
-  const double draw_s = seconds_since(start);
+  const bool from_file = !options.mesh_file.empty();
+  const Subject drawn =
+      from_file ? read_subject(options, progress) : draw_method(request, field, camera, progress);
+  const DrawnSurface& surface = drawn.surface;
   progress.step("casting the truth and measuring");
   const terrain::Diagonal diagonal = options.terrain.diagonal.empty()
                                          ? request.method->truth
                                          : terrain::parse_diagonal(options.terrain.diagonal);
   const audit::HeightfieldTruth truth(field, diagonal);
   AuditResult result = audit::audit_surface(truth, surface, camera, audit_options);
-  result.times.prepare_s = prepare_s;
-  result.times.draw_s = draw_s;
+  result.times.prepare_s = drawn.prepare_s;
+  result.times.draw_s = drawn.draw_s;
 
   audit::AuditSubject subject{&field,
                               diagonal,
@@ -159,6 +193,10 @@ int run_audit(const AuditCommandOptions& options, const Invocation& invocation) 
                               camera,
                               options.camera.camera,
                               invocation.command_line()};
+  if (from_file) {
+    subject.method = "mesh " + options.mesh_file;
+    subject.variant.clear();
+  }
   std::vector<std::string> files;
   if (!options.output.empty()) {
     progress.step("writing the report");
@@ -191,6 +229,13 @@ Command audit_command() {
     add_terrain_options(options, values->terrain);
     add_method_options(options, values->method);
     add_camera_options(options, values->camera);
+    options.group("A mesh in place of a method");
+    options.text(values->mesh_file, "--mesh", "FILE",
+                 "Audit the triangles of this PLY, OBJ, STL, glTF or GLB file");
+    options.text(values->mesh_origin, "--mesh-origin", "X,Y,Z",
+                 "Where its (0, 0, 0) lies in the terrain's coordinates, metres (0,0,0)");
+    options.choice(values->mesh_up, "--mesh-up", {"z", "y"},
+                   "Its upward axis (z); with y, its -z is north");
     options.group("Audit");
     options.texts(values->limits, "--limit", "MEASURE=VALUE",
                   "Judge this as well: " + limit_names());

@@ -48,6 +48,8 @@ int run_command_line(const std::vector<Command>& commands, const Invocation& inv
 // One file a subcommand.
 Command info_command();
 Command truth_command();
+Command render_command();
 Command audit_command();
+Command golden_command();
 
 }  // namespace plumb::tool

@@ -2,6 +2,8 @@
 
 namespace plumb::tool {
 
-std::vector<Command> all_commands() { return {info_command(), truth_command(), audit_command()}; }
+std::vector<Command> all_commands() {
+  return {info_command(), truth_command(), render_command(), audit_command(), golden_command()};
+}
 
 }  // namespace plumb::tool

@@ -1,8 +1,9 @@
 #include "common_options.h"
 
+#include <cmath>
 #include <filesystem>
+#include <string_view>
 
-#include "audit/camera_file.h"
 #include "core/check.h"
 #include "core/number_text.h"
 #include "terrain/camera_presets.h"
@@ -76,7 +77,7 @@ void add_camera_options(Options& options, CameraOptions& camera) {
   options.number(camera.fov_y_deg, "--fov", "DEG", "Vertical field of view (50)");
 }
 
-LookAt look_at(const CameraOptions& options, const terrain::Heightfield& field) {
+audit::CameraDescription camera_description(const CameraOptions& options) {
   audit::CameraDescription camera;
   std::error_code ignored;
   if (options.camera.ends_with(".toml") ||
@@ -93,7 +94,11 @@ LookAt look_at(const CameraOptions& options, const terrain::Heightfield& field) 
     camera.height_px = size.height_px;
   }
   if (options.fov_y_deg) camera.fov_y_deg = options.fov_y_deg;
-  return audit::resolve_camera(camera, field);
+  return camera;
+}
+
+LookAt look_at(const CameraOptions& options, const terrain::Heightfield& field) {
+  return audit::resolve_camera(camera_description(options), field);
 }
 
 void add_threads_option(Options& options, int& threads) {
@@ -117,6 +122,22 @@ ImageSize parse_size(const std::string& text) {
       return {static_cast<int>(*width), static_cast<int>(*height)};
   }
   input_error("size '{}': expected WIDTHxHEIGHT in pixels, each from 1 to 65536", text);
+}
+
+glm::dvec3 parse_point(const std::string& text, const std::string& option) {
+  glm::dvec3 point{0.0};
+  std::size_t begin = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::size_t end = axis < 2 ? text.find(',', begin) : text.size();
+    const auto value = end == std::string::npos
+                           ? std::nullopt
+                           : parse_number(std::string_view(text).substr(begin, end - begin));
+    if (!value || !std::isfinite(*value))
+      input_error("{} '{}': expected three numbers, X,Y,Z", option, text);
+    point[axis] = *value;
+    begin = end + 1;
+  }
+  return point;
 }
 
 }  // namespace plumb::tool

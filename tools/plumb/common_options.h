@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "audit/camera_file.h"
 #include "core/camera.h"
 #include "options.h"
 #include "terrain/heightfield.h"
@@ -20,6 +21,8 @@ struct TerrainOptions {
   double height_offset_m = 0.0;
   std::optional<double> no_data;
   std::string diagonal = "alternating";
+
+  friend bool operator==(const TerrainOptions&, const TerrainOptions&) = default;
 };
 
 /// Declares TERRAIN and the options that speak of it; `with_diagonal` where the command cuts cells
@@ -34,9 +37,14 @@ struct CameraOptions {
   std::string camera = "oblique";
   std::string size;  // "WxH"; empty: the camera file's, or 1920x1080
   std::optional<double> fov_y_deg;
+
+  friend bool operator==(const CameraOptions&, const CameraOptions&) = default;
 };
 
 void add_camera_options(Options& options, CameraOptions& camera);
+/// The camera as far as the options say it: --size and --fov go before what a camera file says.
+/// Throws InputError.
+audit::CameraDescription camera_description(const CameraOptions& options);
 /// The camera meant for this terrain: --size and --fov go before what a camera file says. Throws
 /// InputError.
 LookAt look_at(const CameraOptions& options, const terrain::Heightfield& field);
@@ -53,5 +61,8 @@ struct ImageSize {
   int width_px = 0, height_px = 0;
 };
 ImageSize parse_size(const std::string& text);
+
+/// "X,Y,Z", three finite numbers. Throws InputError that names the option.
+glm::dvec3 parse_point(const std::string& text, const std::string& option);
 
 }  // namespace plumb::tool

@@ -15,6 +15,8 @@ struct MethodOptions {
   std::string variant;
   std::string tolerance = "1px";
   std::vector<std::string> parameters;  // "name=value"
+
+  friend bool operator==(const MethodOptions&, const MethodOptions&) = default;
 };
 
 void add_method_options(Options& options, MethodOptions& method);

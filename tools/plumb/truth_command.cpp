@@ -70,7 +70,7 @@ void write_picture(const std::string& path, const terrain::Heightfield& field, c
   audit::PictureMaker maker;
   maker.method = "truth";
   maker.diagonal = diagonal;
-  maker.program_version = "plumb " + version_number();
+  maker.program_version = version_number();
   const image::AovImage picture = audit::draw_truth_picture(field, hits, camera, maker);
   const std::string extension = std::filesystem::path(path).extension().string();
   if (extension == ".exr") {

@@ -5,7 +5,6 @@
 #include "core/parallel.h"
 #include "core/reproducible_math.h"
 #include "core/screen_error.h"
-#include "scene.h"
 #include "stage.h"
 
 namespace plumb::determinism {
@@ -24,6 +23,8 @@ std::uint64_t reproducible_maths() {
   }
   return sum.value();
 }
+
+void add(Checksum& sum, const glm::dvec3& v) { sum.add(v.x).add(v.y).add(v.z); }
 
 LookAt some_camera(Sequence& numbers) {
   LookAt camera;

@@ -1,6 +1,5 @@
-#include "mesh/restricted_quadtree/restricted_quadtree.h"
-
 #include "mesh/full/full_detail.h"
+#include "mesh/restricted_quadtree/restricted_quadtree.h"
 #include "scene.h"
 #include "stage.h"
 
@@ -9,27 +8,33 @@ namespace {
 
 std::uint64_t full() {
   Checksum sum;
-  add(sum, *mesh::full::prepare(mountains()).surface.mesh);
+  add(sum, mesh::full::prepare(hills()).surface);
   return sum.value();
 }
 
-std::uint64_t restricted_quadtree() {
-  const terrain::Heightfield field = mountains();
-  const auto prepared = mesh::restricted_quadtree::prepare(field);
+std::uint64_t restricted_quadtree(const Tolerance& tolerance) {
+  namespace method = mesh::restricted_quadtree;
+  const terrain::Heightfield field = hills();
+  method::Parameters parameters;
+  parameters.patch_cells = 16;
+  const method::Prepared prepared = method::prepare(field, parameters);
   Checksum sum;
-  for (const Tolerance& tolerance : {Tolerance{5.0, Unit::Metre}, Tolerance{1.0, Unit::Pixel}}) {
-    const DrawnSurface surface =
-        mesh::restricted_quadtree::draw(prepared, view_of(field, "oblique"), tolerance);
-    add(sum, *surface.mesh);
-    for (const Claim& claim : surface.claims) sum.add(claim.bound);
-  }
+  for (const char* preset : {"oblique", "grazing"})
+    add(sum, method::draw(prepared, camera_for(field, preset), tolerance));
   return sum.value();
 }
 
 }  // namespace
 
 std::vector<Stage> mesh_stages() {
-  return {{"mesh.full", full}, {"mesh.restricted_quadtree", restricted_quadtree}};
+  return {{"mesh.full", full},
+          {"mesh.restricted_quadtree_px",
+           [] {
+             return restricted_quadtree({1.0, Unit::Pixel});
+           }},
+          {"mesh.restricted_quadtree_m", [] {
+             return restricted_quadtree({20.0, Unit::Metre});
+           }}};
 }
 
 }  // namespace plumb::determinism

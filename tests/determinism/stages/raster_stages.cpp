@@ -1,4 +1,3 @@
-#include "image/srgb.h"
 #include "mesh/full/full_detail.h"
 #include "raster/rasteriser.h"
 #include "raster/shading/preview.h"
@@ -9,36 +8,41 @@
 namespace plumb::determinism {
 namespace {
 
+// The oblique view, and one that stands on the ground and cuts triangles at its near plane.
 std::uint64_t pictures() {
-  const terrain::Heightfield field = mountains();
-  const auto surface = mesh::full::prepare(field).surface;
-  const TriangleMesh& mesh = *surface.mesh;
+  const terrain::Heightfield field = hills();
+  const DrawnSurface surface = mesh::full::prepare(field).surface;
   Checksum sum;
   for (const char* preset : {"oblique", "grazing"}) {
-    const raster::RasterResult result = raster::rasterise(mesh, view_of(field, preset));
-    add(sum, result.image);
-    sum.add(result.fragments);
+    const Camera camera = camera_for(field, preset);
+    for (const int tile_px : {16, 64}) {
+      raster::RasterOptions options;
+      options.tile_px = tile_px;
+      const raster::RasterResult result = raster::rasterise(*surface.mesh, camera, options);
+      add(sum, result.image);
+      sum.add(result.fragments);
+    }
   }
   return sum.value();
 }
 
-void add(Checksum& sum, const image::ColourImage& image) {
-  sum.add(std::span<const float>(image.r)).add(std::span<const float>(image.g));
-  sum.add(std::span<const float>(image.b));
-  sum.add(std::span<const std::uint8_t>(image::to_srgb8(image).rgb));
+void add(Checksum& sum, const image::ColourImage& picture) {
+  for (const auto* channel : {&picture.r, &picture.g, &picture.b})
+    sum.add(std::span<const float>(*channel));
 }
 
 std::uint64_t shading() {
-  const terrain::Heightfield field = mountains();
-  const auto surface = mesh::full::prepare(field).surface;
-  const TriangleMesh& mesh = *surface.mesh;
-  const Camera camera = view_of(field, "valley");
-  const HitImage hits = raster::rasterise(mesh, camera).image;
+  const terrain::Heightfield field = hills();
+  const DrawnSurface surface = mesh::full::prepare(field).surface;
+  const Camera camera = camera_for(field, "oblique");
+  const HitImage hits = raster::rasterise(*surface.mesh, camera).image;
   raster::ShadeOptions options;
-  options.high_m = 3000.0;
+  options.low_m = 300.0;
+  options.high_m = 2800.0;
+  options.haze_m = 5000.0;
   Checksum sum;
-  add(sum, raster::shade(hits, camera, raster::flat_normals(mesh, hits), options));
-  add(sum, raster::shaded_preview(field, 100));
+  add(sum, raster::shade(hits, camera, raster::flat_normals(*surface.mesh, hits), options));
+  add(sum, raster::shaded_preview(field, 50));
   return sum.value();
 }
 

@@ -92,6 +92,19 @@ TEST(EveryPreset, SeesGroundOfRealTerrains) {
   if (seen == 0) GTEST_SKIP() << "the project's elevation files are not here";
 }
 
+TEST(LongEveryPreset, SeesGroundOfLargeTerrains) {
+  int seen = 0;
+  for (const char* name :
+       {"taiwan_central_8193.tif", "narok_kenya_5840x4934.tif", "etopo5_global_4320x2161.tif"}) {
+    const std::string file = std::string(PLUMB_SOURCE_DIR) + "/../shared/data/" + name;
+    if (!std::filesystem::exists(file)) continue;
+    const Heightfield field = load_terrain(file);
+    for (const PresetHelp& preset : preset_help()) expect_good_view(field, preset.name, name);
+    ++seen;
+  }
+  if (seen == 0) GTEST_SKIP() << "the project's elevation files are not here";
+}
+
 TEST(EveryPreset, IsTheSameOnAnyNumberOfThreads) {
   const Heightfield field = generate("generate:alpine?size=129&voids=0.1");
   for (const PresetHelp& preset : preset_help()) {

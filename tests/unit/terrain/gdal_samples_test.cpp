@@ -143,6 +143,10 @@ TEST(GdalSamples, ANoDataValueThatFloat32RoundsIsRecognised) {
   tiff.values = {static_cast<double>(0.1f), 1, 2, 3};
   tiff.no_data = 0.1;
   EXPECT_EQ(reload(tiff).provenance.voids_declared, 1);
+  tiff.no_data.reset();
+  ReadOptions options;
+  options.no_data = 0.1;
+  EXPECT_EQ(reload(tiff, options).provenance.voids_declared, 1);
 }
 
 TEST(GdalSamples, TheUsersNoDataValueIsVoidBesidesTheFilesOwn) {

@@ -1,0 +1,117 @@
+// A scene as TOML: the way back of scene.cpp.
+#include <fmt/format.h>
+
+#include "audit/scene.h"
+#include "audit/toml_document.h"
+
+namespace plumb::audit {
+namespace {
+
+class Writer {
+ public:
+  void table(const char* name) {
+    text_ += fmt::format("{}[{}]\n", text_.empty() ? "" : "\n", name);
+  }
+  void raw(const std::string& key, const std::string& value) {
+    text_ += fmt::format("{} = {}\n", key, value);
+  }
+  void text(const std::string& key, const std::string& value) {
+    if (!value.empty()) raw(key, toml_text(value));
+  }
+  void number(const std::string& key, const std::optional<double>& value) {
+    if (value) raw(key, toml_number(*value));
+  }
+  void whole(const std::string& key, const std::optional<int>& value) {
+    if (value) raw(key, fmt::format("{}", *value));
+  }
+  void vector(const std::string& key, const std::optional<glm::dvec3>& v) {
+    if (v)
+      raw(key,
+          fmt::format("[{}, {}, {}]", toml_number(v->x), toml_number(v->y), toml_number(v->z)));
+  }
+  std::string result() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+void write_terrain(Writer& to, const Scene& scene) {
+  const terrain::ReadOptions& read = scene.read;
+  const terrain::ReadOptions usual;
+  to.table("terrain");
+  to.text("source", scene.terrain);
+  if (read.window) {
+    const terrain::Window& w = *read.window;
+    to.raw("window", fmt::format("[{}, {}, {}, {}]", w.x, w.y, w.width, w.height));
+  }
+  if (read.spacing_x_m) {
+    const double y_m = read.spacing_y_m.value_or(*read.spacing_x_m);
+    to.raw("spacing", fmt::format("[{}, {}]", toml_number(*read.spacing_x_m), toml_number(y_m)));
+  }
+  if (read.band != usual.band) to.whole("band", read.band);
+  if (read.decode != usual.decode) to.text("decode", name_of(read.decode));
+  if (read.height_scale != usual.height_scale) to.number("height_scale", read.height_scale);
+  if (read.height_offset_m != usual.height_offset_m)
+    to.number("height_offset", read.height_offset_m);
+  to.number("nodata", read.no_data);
+  if (read.no_data_policy != usual.no_data_policy) to.text("no_data", name_of(read.no_data_policy));
+  to.text("crs", read.crs);
+  if (read.raw_size)
+    to.text("raw", fmt::format("{}x{}", read.raw_size->columns, read.raw_size->rows));
+  if (read.byte_order != usual.byte_order) to.text("byte_order", name_of(read.byte_order));
+  to.text("diagonal", scene.diagonal);
+}
+
+void write_camera(Writer& to, const CameraDescription& camera) {
+  to.table("camera");
+  to.text("preset", camera.preset);
+  to.vector("eye", camera.eye_m);
+  to.vector("target", camera.target_m);
+  to.vector("up", camera.up);
+  to.number("fov_y_deg", camera.fov_y_deg);
+  to.whole("width", camera.width_px);
+  to.whole("height", camera.height_px);
+  to.number("near", camera.near_m);
+  to.number("far", camera.far_m);
+}
+
+void write_method(Writer& to, const Scene& scene) {
+  if (scene.method.empty()) return;
+  to.table("method");
+  to.text("name", scene.method);
+  to.text("variant", scene.choice.variant);
+  to.text("tolerance", to_text(scene.tolerance));
+  if (scene.choice.parameters.empty()) return;
+  to.table("method.parameters");
+  for (const auto& [name, value] : scene.choice.parameters)
+    to.raw(toml_text(name), toml_text(value));
+}
+
+}  // namespace
+
+std::string to_toml(const Scene& scene) {
+  Writer to;
+  write_terrain(to, scene);
+  write_camera(to, scene.camera);
+  write_method(to, scene);
+  if (scene.painter == Painter::Truth) {
+    to.table("render");
+    to.text("what", "truth");
+  }
+  return to.result();
+}
+
+CameraDescription description_of(const LookAt& camera) {
+  CameraDescription description;
+  description.eye_m = camera.eye_m;
+  description.target_m = camera.target_m;
+  description.up = camera.up;
+  description.fov_y_deg = camera.fov_y_deg;
+  description.width_px = camera.width_px;
+  description.height_px = camera.height_px;
+  description.near_m = camera.near_m;
+  description.far_m = camera.far_m;
+  return description;
+}
+
+}  // namespace plumb::audit

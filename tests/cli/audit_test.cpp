@@ -1,0 +1,146 @@
+// plumb audit and plumb truth, as a person would run them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "support/run_command.h"
+
+namespace plumb::testing {
+namespace {
+
+using nlohmann::json;
+
+const std::vector<std::string> kSmall{"generate:alpine?size=65&seed=3", "--size", "160x90"};
+
+std::vector<std::string> with(std::vector<std::string> front,
+                              const std::vector<std::string>& back) {
+  front.insert(front.end(), kSmall.begin(), kSmall.end());
+  front.insert(front.end(), back.begin(), back.end());
+  return front;
+}
+
+TEST(AuditCommand, HoldsForAMethodThatKeepsItsPromise) {
+  for (const char* method : {"full", "restricted-quadtree"}) {
+    const CommandResult result =
+        run_plumb(with({"audit"}, {"--method", method, "--tolerance", "1px"}));
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.out.find("Every claim holds"), std::string::npos) << result.out;
+  }
+}
+
+TEST(AuditCommand, EndsWithOneIfALimitIsBroken) {
+  const CommandResult result =
+      run_plumb(with({"audit"}, {"--tolerance", "20px", "--limit", "pixel-error=0.01px"}));
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.out.find("Broken: pixel-error"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("worst:"), std::string::npos);
+}
+
+TEST(AuditCommand, GivesTheSameJsonOnAnyNumberOfThreads) {
+  const auto run = [](const char* threads) {
+    json result = json::parse(
+        run_plumb(with({"audit"}, {"--tolerance", "2px", "--json", "--threads", threads})).out);
+    EXPECT_EQ(result.at("schema"), "plumb.audit/1");
+    result.erase("timing");
+    result.erase("command");  // it names the threads
+    return result;
+  };
+  const json one = run("1");
+  EXPECT_EQ(one, run("2"));
+  EXPECT_EQ(one, run("7"));
+  EXPECT_EQ(one.at("verdict"), "held");
+}
+
+TEST(AuditCommand, WritesAReportThatNeedsNothingElse) {
+  TemporaryFolder folder;
+  const std::string out = folder.file("report");
+  const CommandResult result = run_plumb(with({"audit"}, {"-o", out}));
+  EXPECT_EQ(result.status, 0) << result.err;
+  for (const char* name : {"report.html", "audit.json", "truth.png", "drawn.png", "difference.png",
+                           "pixel-error.png", "nearest-error.png", "coverage.png"}) {
+    EXPECT_TRUE(std::filesystem::file_size(std::filesystem::path(out) / name) > 0) << name;
+  }
+  std::ifstream page(out + "/report.html");
+  const std::string text{std::istreambuf_iterator<char>(page), {}};
+  EXPECT_EQ(text.find("http://"), std::string::npos);
+  EXPECT_EQ(text.find("https://"), std::string::npos);
+  EXPECT_NE(text.find("pixel-error"), std::string::npos);
+}
+
+TEST(AuditCommand, MakesAResultAgainFromItsOwnCommand) {
+  const CommandResult first = run_plumb(with({"audit"}, {"--tolerance", "0.5px", "--json"}));
+  json a = json::parse(first.out);
+  const std::string command = a.at("command");
+  ASSERT_EQ(command.rfind("plumb ", 0), 0u);
+  const CommandResult second = run_command({"sh", "-c", "exec " PLUMB_BIN_DIR "/" + command});
+  json b = json::parse(second.out);
+  a.erase("timing");
+  b.erase("timing");
+  EXPECT_EQ(a, b);
+}
+
+TEST(AuditCommand, RefusesWhatItCannotJudgeInOneLine) {
+  const auto refuses = [](const std::vector<std::string>& arguments, const std::string& part) {
+    const CommandResult result = run_plumb(with({"audit"}, arguments));
+    EXPECT_EQ(result.status, 2) << part;
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
+  };
+  refuses({"--tolerance", "1"}, "tolerance '1'");
+  refuses({"--method", "unknown"}, "unknown");
+  refuses({"--variant", "published"}, "has no variant 'published'");
+  refuses({"--set", "patch_cells=3"}, "patch_cells");
+  refuses({"--set", "nothing=3"}, "has no parameter 'nothing'");
+  refuses({"--limit", "beauty=1px"}, "beauty");
+  refuses({"--camera", "nowhere"}, "nowhere");
+  refuses({"--mesh", "no-such.ply"}, "no-such.ply");
+}
+
+// A square sheet one metre above a plane, written by hand.
+TEST(AuditCommand, JudgesAStrangersMeshByTheLimitsThatItIsGiven) {
+  TemporaryFolder folder;
+  const std::string mesh = folder.file("sheet.ply");
+  std::ofstream(mesh) << "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty "
+                         "float y\nproperty float z\n"
+                         "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
+                         "0 0 1\n640 0 1\n640 640 1\n0 640 1\n3 0 1 2\n3 0 2 3\n";
+  const std::vector<std::string> common{"audit",    "generate:plane?size=65&spacing=10&height=0",
+                                        "--mesh",   mesh,
+                                        "--camera", "top",
+                                        "--size",   "100x100",
+                                        "--json"};
+  const CommandResult measured = run_plumb(common);
+  ASSERT_EQ(measured.status, 0) << measured.err << measured.out;
+  EXPECT_DOUBLE_EQ(json::parse(measured.out).at("errors").at("sample_m").at("max").get<double>(),
+                   1.0);
+  std::vector<std::string> limited = common;
+  limited.insert(limited.end(), {"--limit", "sample-error=0.9m"});
+  EXPECT_EQ(run_plumb(limited).status, 1);
+}
+
+TEST(TruthCommand, HasAWitnessThatAgrees) {
+  for (const char* camera : {"oblique", "top", "grazing", "valley"}) {
+    const CommandResult result =
+        run_plumb(with({"truth"}, {"--camera", camera, "--witness", "--json"}));
+    EXPECT_EQ(result.status, 0) << camera << result.out << result.err;
+    const json j = json::parse(result.out);
+    EXPECT_TRUE(j.at("witness").at("agrees"));
+    EXPECT_GT(j.at("hits").get<int>(), 1000);
+  }
+}
+
+TEST(TruthCommand, WritesPictures) {
+  TemporaryFolder folder;
+  EXPECT_EQ(run_plumb(with({"truth"}, {"-o", folder.file("a.exr")})).status, 0);
+  EXPECT_EQ(run_plumb(with({"truth"}, {"-o", folder.file("a.png")})).status, 0);
+  EXPECT_EQ(run_plumb(with({"truth"}, {"-o", folder.file("a.jpg")})).status, 2);
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.exr", "a.png"}));
+}
+
+}  // namespace
+}  // namespace plumb::testing

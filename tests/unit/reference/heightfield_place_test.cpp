@@ -1,0 +1,131 @@
+// The truth at a place, and the nearest truth to a point.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "reference/heightfield_nearest.h"
+#include "reference/surface_height.h"
+#include "support/test_terrain.h"
+
+namespace plumb::reference {
+namespace {
+
+using terrain::Diagonal;
+
+terrain::Heightfield cell(float sw, float se, float nw, float ne) {
+  terrain::Heightfield field;
+  field.heights_m = Grid<float>(2, 2);
+  field.heights_m(0, 0) = sw;
+  field.heights_m(1, 0) = se;
+  field.heights_m(0, 1) = nw;
+  field.heights_m(1, 1) = ne;
+  field.dx_m = 10.0;
+  field.dy_m = 20.0;
+  return field;
+}
+
+TEST(SurfaceAt, TellsTheTwoDiagonalsApart) {
+  const terrain::Heightfield saddle = cell(0, 8, 8, 0);
+  // The middle lies on the diagonal: between SW and NE at 0, between SE and NW at 8.
+  EXPECT_EQ(surface_at(saddle, Diagonal::Alternating, 5.0, 10.0).height_m, 0.0);
+  EXPECT_EQ(surface_at(saddle, Diagonal::Fixed, 5.0, 10.0).height_m, 8.0);
+  // A quarter into the south-east: plane of SW, SE, NE at (3/4, 1/4): 8 * (3/4 - 1/4).
+  EXPECT_EQ(surface_at(saddle, Diagonal::Alternating, 7.5, 5.0).height_m, 4.0);
+  EXPECT_EQ(surface_at(saddle, Diagonal::Alternating, 7.5, 5.0).triangle, 0u);
+  EXPECT_EQ(surface_at(saddle, Diagonal::Alternating, 2.5, 15.0).triangle, 1u);
+}
+
+TEST(SurfaceAt, HasNothingOutsideNorOverAVoid) {
+  terrain::Heightfield field = cell(1, 2, 3, 4);
+  for (const auto& [x, y] :
+       {std::pair(-0.1, 5.0), std::pair(10.1, 5.0), std::pair(5.0, -0.1), std::pair(5.0, 20.1)}) {
+    EXPECT_FALSE(exists_at(field, Diagonal::Fixed, x, y));
+  }
+  field.heights_m(1, 1) = std::numeric_limits<float>::quiet_NaN();
+  // Fixed diagonals: the north-eastern half is gone, the south-western one stays, its diagonal
+  // included.
+  EXPECT_TRUE(exists_at(field, Diagonal::Fixed, 2.0, 4.0));
+  EXPECT_TRUE(exists_at(field, Diagonal::Fixed, 5.0, 10.0));
+  EXPECT_FALSE(exists_at(field, Diagonal::Fixed, 8.0, 16.0));
+  // The rising diagonal needs the missing corner for both halves.
+  EXPECT_FALSE(exists_at(field, Diagonal::Alternating, 2.0, 4.0));
+}
+
+TEST(SurfaceAt, IsTheSampleAtASample) {
+  const terrain::Heightfield field = test_support::rough_terrain(17, 9, 4, 100.0, 0.0, 13.7, 9.1);
+  for (const Diagonal diagonal : {Diagonal::Alternating, Diagonal::Fixed, Diagonal::Blocks8}) {
+    for (int j = 0; j < 9; ++j) {
+      for (int i = 0; i < 17; ++i) {
+        // A coordinate is off its sample by an ulp at most, which counts times the slope, below 20.
+        EXPECT_NEAR(surface_at(field, diagonal, i * 13.7, j * 9.1).height_m, field.heights_m(i, j),
+                    20 * 2e-13);
+      }
+    }
+  }
+}
+
+TEST(SurfaceAt, FindsGroundOnTheRimOfAVoidFromEitherSide) {
+  terrain::Heightfield field = test_support::rough_terrain(5, 5, 4);
+  field.heights_m(3, 1) = field.heights_m(3, 2) = field.heights_m(3, 3) =
+      std::numeric_limits<float>::quiet_NaN();
+  EXPECT_TRUE(exists_at(field, Diagonal::Alternating, 20.0,
+                        25.0));  // the last column that is whole to the west
+  EXPECT_FALSE(exists_at(field, Diagonal::Alternating, 21.0, 25.0));
+}
+
+TEST(NearestOnHeightfield, IsThatOfTryingDenselyEverywhere) {
+  for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+    const terrain::Heightfield field =
+        test_support::rough_terrain(20, 13, seed, 60.0, 0.05, 10.0, 7.0);
+    const HeightPyramid pyramid(field);
+    for (int k = 0; k < 60; ++k) {
+      const glm::dvec3 point{test_support::noise(seed, k, 1) * 240 - 25,
+                             test_support::noise(seed, k, 2) * 130 - 20,
+                             test_support::noise(seed, k, 3) * 120 - 30};
+      const NearestPoint found =
+          nearest_on_heightfield(field, Diagonal::Alternating, pyramid, point, 1e6);
+      ASSERT_TRUE(found);
+      EXPECT_NEAR(
+          surface_at(field, Diagonal::Alternating, found.point_m.x, found.point_m.y).height_m,
+          found.point_m.z, 1e-9);
+      double sampled = std::numeric_limits<double>::infinity();
+      constexpr int kPerCell = 16;
+      for (int b = 0; b <= 12 * kPerCell; ++b) {
+        for (int a = 0; a <= 19 * kPerCell; ++a) {
+          const double x = a * 10.0 / kPerCell, y = b * 7.0 / kPerCell;
+          const double z = surface_at(field, Diagonal::Alternating, x, y).height_m;
+          if (std::isnan(z)) continue;
+          const glm::dvec3 d = glm::dvec3(x, y, z) - point;
+          sampled = std::min(sampled, std::sqrt(glm::dot(d, d)));
+        }
+      }
+      EXPECT_LE(found.distance_m, sampled + 1e-9);
+      // Between points tried, half a step apart in the plane, the surface moves by at most its
+      // slope.
+      EXPECT_GE(found.distance_m, sampled - 3.0);
+    }
+  }
+}
+
+TEST(NearestOnHeightfield, LooksNoFartherThanAsked) {
+  const terrain::Heightfield field = cell(0, 0, 0, 0);
+  const HeightPyramid pyramid(field);
+  EXPECT_FALSE(nearest_on_heightfield(field, Diagonal::Fixed, pyramid, {5, 10, 30}, 29.0));
+  const NearestPoint found =
+      nearest_on_heightfield(field, Diagonal::Fixed, pyramid, {5, 10, 30}, 30.0);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found.distance_m, 30.0);
+  EXPECT_EQ(found.point_m, glm::dvec3(5, 10, 0));
+}
+
+TEST(NearestOnHeightfield, OfATerrainWithoutTrianglesIsNone) {
+  terrain::Heightfield field;
+  field.heights_m = Grid<float>(4, 1, 5.0f);
+  EXPECT_FALSE(
+      nearest_on_heightfield(field, Diagonal::Fixed, HeightPyramid(field), {0, 0, 0}, 1e9));
+}
+
+}  // namespace
+}  // namespace plumb::reference
