@@ -144,7 +144,7 @@ AuditResult audit_picture(const HeightfieldTruth& truth, HitImage true_hits,
         reverse_nearest(truth, result.true_hits, result.reverse_pixels, *surface.mesh, local));
   }
   result.coverage =
-      coverage_of(truth, result.true_hits, result.drawn, camera, surface, options.band_px);
+      coverage_of(truth, result.true_hits, result.drawn, camera, surface, options.band);
   result.registration = registration_of(*surface.mesh, result.drawn, camera);
   result.topology = topology_of(truth, surface, options.most_listed);
   result.topology.overlapped_samples = result.samples.overlapped;

@@ -33,8 +33,7 @@ Limit parse_limit(const std::string& text);
 
 struct AuditOptions {
   std::vector<Limit> limits;
-  double band_px = 1.0;  // silhouettes are undecided by this much; the tolerance, where it is
-                         // larger than a pixel
+  Band band;             // how far silhouettes may move: the tolerance asked for
   bool nearest = true;   // also the distance to the nearest point, both ways
   int most_listed = 20;  // worst offenders and flaws of a kind
 };

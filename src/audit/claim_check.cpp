@@ -25,7 +25,14 @@ class Checker {
  public:
   Checker(AuditResult& result, const HeightfieldTruth& truth, const DrawnSurface& surface,
           const Camera& camera, const AuditOptions& options)
-      : result_(result), truth_(truth), surface_(surface), camera_(camera), options_(options) {}
+      : result_(result), truth_(truth), surface_(surface), camera_(camera), options_(options) {
+    // A drawn point is a sum of the eye and a ray, rounded at their length a few times over.
+    double reach = 0.0;
+    for (const glm::dvec3& ray : result.drawn.from_eye_m) {
+      reach = std::max({reach, std::abs(ray.x), std::abs(ray.y), std::abs(ray.z)});
+    }
+    eye_slack_m_ = 8.0 * std::numeric_limits<double>::epsilon() * reach;
+  }
 
   void run() {
     std::vector<ClaimResult> of_patches;
@@ -45,7 +52,7 @@ class Checker {
 
  private:
   double slack_px(double pixels_per_metre, double measured) const {
-    return truth_.slack_m * pixels_per_metre +
+    return (truth_.slack_m + eye_slack_m_) * pixels_per_metre +
            kProjectionSlack * (std::isfinite(measured) ? measured : 0.0);
   }
 
@@ -93,6 +100,9 @@ class Checker {
     sample_error(r, bound, unit);
     const EdgeErrors& e = result_.edges;
     const double between = unit == Unit::Metre ? e.max_m : e.max_px;
+    // Crossings may lie nearer to the eye than any sample or pixel that was measured: their own
+    // scale counts.
+    if (unit == Unit::Pixel) r.slack = std::max(r.slack, slack_px(e.pixels_per_metre, between));
     if (between <= r.measured) return;
     r.measured = between;
     r.worst = at_place(r.label, between, unit, unit == Unit::Metre ? e.worst_m : e.worst_px,
@@ -288,6 +298,7 @@ class Checker {
   const DrawnSurface& surface_;
   const Camera& camera_;
   const AuditOptions& options_;
+  double eye_slack_m_ = 0.0;
 };
 
 }  // namespace

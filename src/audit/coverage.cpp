@@ -6,11 +6,15 @@
 #include <map>
 
 #include "core/parallel.h"
+#include "core/screen_error.h"
 
 namespace plumb::audit {
 namespace {
 
-constexpr int kRaysPerPixel = 4;           // along each axis, where a defect is looked at again
+constexpr int kRaysPerPixel = 4;  // along each axis, where a defect is looked at again
+constexpr int kMostRays = 64;     // and at most so many along each axis of the band
+constexpr int kMostReach = 64;    // pixels
+constexpr glm::dvec3 kUp{0.0, 0.0, 1.0};
 constexpr double kSameDepth = 1e-6;        // relative; two casts of one point
 constexpr double kNearlySameDepth = 1e-3;  // relative; neighbouring rays of one slope
 
@@ -53,62 +57,91 @@ std::vector<Neighbourhood> neighbourhoods(const HitImage& image, int radius) {
   return all;
 }
 
-// Casts truth rays all over the band around a pixel until one satisfies `wanted(hit)`.
-template <class Wanted>
-bool any_ray_between(const HeightfieldTruth& truth, const Camera& camera, int x, int y, int radius,
-                     const Wanted& wanted) {
-  const int rays = (2 * radius + 1) * kRaysPerPixel;
-  for (int b = 0; b < rays; ++b) {
-    for (int a = 0; a < rays; ++a) {
-      const double px = x - radius + (a + 0.5) / kRaysPerPixel,
-                   py = y - radius + (b + 0.5) / kRaysPerPixel;
-      if (wanted(truth.caster.cast(truth.caster.camera_ray(camera, px, py)))) return true;
+// Looks again, between the pixels, at what the pixels' centres hold against a picture.
+class SecondLook {
+ public:
+  SecondLook(const HeightfieldTruth& truth, const HitImage& true_hits, const HitImage& drawn,
+             const Camera& camera, const Band& band, int radius)
+      : truth_(truth),
+        true_hits_(true_hits),
+        drawn_(drawn),
+        camera_(camera),
+        local_(relative_to(camera, truth.field().world_origin_m())),
+        band_(band),
+        radius_(radius) {}
+
+  DefectKind judge(int x, int y, const Neighbourhood& n) const {
+    const std::size_t pixel = drawn_.index(x, y);
+    const bool hit = drawn_.hit(pixel);
+    if (n.all_hit() && !hit) {
+      const bool sky = any_ray_around(x, y, true_hits_.from_eye_m[pixel],
+                                      [](const reference::RayHit& ray) { return !ray; });
+      return sky ? DefectKind::None : DefectKind::Hole;
     }
+    if (n.all_miss() && hit) {
+      const bool land =
+          any_ray_around(x, y, drawn_.from_eye_m[pixel],
+                         [](const reference::RayHit& ray) { return static_cast<bool>(ray); });
+      return land ? DefectKind::None : DefectKind::Overshoot;
+    }
+    return hit && n.all_hit() && is_seen_through(x, y, n) ? DefectKind::SeeThrough
+                                                          : DefectKind::None;
   }
-  return false;
-}
 
-// True if the truth above or below the drawn point is seen from the eye: then the surface is
-// displaced, not torn.
-bool counterpart_is_visible(const HeightfieldTruth& truth, const Camera& local,
-                            const glm::dvec3& drawn_point) {
-  const double height = truth.height_at(drawn_point.x, drawn_point.y);
-  if (std::isnan(height)) return false;
-  const glm::dvec3 view = to_view(local, {drawn_point.x, drawn_point.y, height});
-  if (!(view.z > local.near_m)) return false;
-  reference::Ray ray{local.eye_m, glm::dvec3(drawn_point.x, drawn_point.y, height) - local.eye_m,
-                     0.0, 2.0};
-  ray.t_min = local.near_m / view.z;
-  const reference::RayHit hit = truth.caster.cast(ray);
-  return hit && hit.t >= 1.0 - kSameDepth;
-}
+ private:
+  bool is_seen_through(int x, int y, const Neighbourhood& n) const {
+    const std::size_t pixel = drawn_.index(x, y);
+    const double depth = drawn_.depth_m[pixel];
+    if (depth <= n.deepest * (1.0 + kSameDepth)) return false;
+    if (counterpart_is_visible(local_.eye_m + drawn_.from_eye_m[pixel])) return false;
+    return !any_ray_around(x, y, true_hits_.from_eye_m[pixel], [&](const reference::RayHit& ray) {
+      return !ray || ray.t >= depth * (1.0 - kNearlySameDepth);
+    });
+  }
 
-DefectKind judge(const HeightfieldTruth& truth, const HitImage& true_hits, const HitImage& drawn,
-                 const Camera& camera, const Camera& local, int x, int y, int radius,
-                 const Neighbourhood& n) {
-  const std::size_t pixel = drawn.index(x, y);
-  if (n.all_hit() && !drawn.hit(pixel)) {
-    const bool sky_between = any_ray_between(truth, camera, x, y, radius,
-                                             [](const reference::RayHit& hit) { return !hit; });
-    return sky_between ? DefectKind::None : DefectKind::Hole;
+  // Casts truth rays around a pixel, as far as the surface may have moved there, until one is as
+  // wanted.
+  template <class Wanted>
+  bool any_ray_around(int x, int y, const glm::dvec3& from_eye_m, const Wanted& wanted) const {
+    double reach = radius_;
+    if (band_.metres > 0.0) {
+      const double moved =
+          screen_displacement_px(local_, local_.eye_m + from_eye_m, kUp, band_.metres);
+      reach = std::clamp(std::ceil(moved) + 1.0, reach, static_cast<double>(kMostReach));
+    }
+    const double width = 2.0 * reach + 1.0;
+    const int rays = std::min(static_cast<int>(width * kRaysPerPixel), kMostRays);
+    for (int b = 0; b < rays; ++b) {
+      for (int a = 0; a < rays; ++a) {
+        const double px = x - reach + (a + 0.5) / rays * width,
+                     py = y - reach + (b + 0.5) / rays * width;
+        if (wanted(truth_.caster.cast(truth_.caster.camera_ray(camera_, px, py)))) return true;
+      }
+    }
+    return false;
   }
-  if (n.all_miss() && drawn.hit(pixel)) {
-    const bool land_between =
-        any_ray_between(truth, camera, x, y, radius,
-                        [](const reference::RayHit& hit) { return static_cast<bool>(hit); });
-    return land_between ? DefectKind::None : DefectKind::Overshoot;
+
+  // True if the truth above or below the drawn point is seen from the eye: then the surface is
+  // displaced, not torn.
+  bool counterpart_is_visible(const glm::dvec3& drawn_point) const {
+    const double height = truth_.height_at(drawn_point.x, drawn_point.y);
+    if (std::isnan(height)) return false;
+    const glm::dvec3 place{drawn_point.x, drawn_point.y, height};
+    const glm::dvec3 view = to_view(local_, place);
+    if (!(view.z > local_.near_m)) return false;
+    const reference::Ray ray{local_.eye_m, place - local_.eye_m, local_.near_m / view.z, 2.0};
+    const reference::RayHit hit = truth_.caster.cast(ray);
+    return hit && hit.t >= 1.0 - kSameDepth;
   }
-  if (!drawn.hit(pixel) || !true_hits.hit(pixel) || n.deepest == kNoHit) return DefectKind::None;
-  const double depth = drawn.depth_m[pixel];
-  if (depth <= n.deepest * (1.0 + kSameDepth)) return DefectKind::None;
-  if (counterpart_is_visible(truth, local, local.eye_m + drawn.from_eye_m[pixel]))
-    return DefectKind::None;
-  const bool as_deep =
-      any_ray_between(truth, camera, x, y, radius, [&](const reference::RayHit& hit) {
-        return !hit || hit.t >= depth * (1.0 - kNearlySameDepth);
-      });
-  return as_deep ? DefectKind::None : DefectKind::SeeThrough;
-}
+
+  const HeightfieldTruth& truth_;
+  const HitImage& true_hits_;
+  const HitImage& drawn_;
+  const Camera& camera_;
+  Camera local_;
+  Band band_;
+  int radius_;
+};
 
 // The two patches that most pixels around show.
 void name_patches(CoverageDefect& defect, const HitImage& drawn, const DrawnSurface& surface) {
@@ -173,12 +206,13 @@ const char* name_of(DefectKind kind) {
 
 Coverage coverage_of(const HeightfieldTruth& truth, const HitImage& true_hits,
                      const HitImage& drawn, const Camera& camera, const DrawnSurface& surface,
-                     double tolerance_px, int most_listed) {
+                     const Band& band, int most_listed) {
   Coverage coverage;
-  coverage.band_px = static_cast<int>(std::clamp(std::ceil(tolerance_px), 1.0, 64.0));
+  coverage.band_px =
+      static_cast<int>(std::clamp(std::ceil(band.pixels), 1.0, static_cast<double>(kMostReach)));
   coverage.demand.assign(drawn.size(), Demand::Either);
   coverage.defects.assign(drawn.size(), DefectKind::None);
-  const Camera local = relative_to(camera, truth.field().world_origin_m());
+  const SecondLook look(truth, true_hits, drawn, camera, band, coverage.band_px);
   const std::vector<Neighbourhood> bands = neighbourhoods(true_hits, coverage.band_px);
   parallel_for(drawn.height_px, 1, [&](std::int64_t row) {
     const int y = static_cast<int>(row);
@@ -187,8 +221,7 @@ Coverage coverage_of(const HeightfieldTruth& truth, const HitImage& true_hits,
       const Neighbourhood& n = bands[pixel];
       if (n.all_hit()) coverage.demand[pixel] = Demand::Terrain;
       if (n.all_miss()) coverage.demand[pixel] = Demand::Sky;
-      coverage.defects[pixel] =
-          judge(truth, true_hits, drawn, camera, local, x, y, coverage.band_px, n);
+      coverage.defects[pixel] = look.judge(x, y, n);
     }
   });
   count_and_list(coverage, true_hits, drawn, surface, most_listed);

@@ -47,18 +47,26 @@ struct Coverage {
   std::int64_t defect_count() const { return holes + overshoots + see_through; }
 };
 
+/// How far silhouettes may move: the tolerance that the surface was asked to keep.
+struct Band {
+  double pixels = 1.0;  // at least one counts
+  double metres = 0.0;  // vertical
+};
+
 /// Compares what is drawn with what the truth demands.
 ///
 ///   (1) A pixel is undecided where the truth changes between terrain and sky within `tolerance_px`
 ///   (at least one pixel). (2) A defect that rests on the truth at pixel centres alone is looked at
 ///   again with truth rays between the centres, so
-///       that terrain or sky narrower than a pixel is not held against the picture.
+///       that terrain or sky narrower than a pixel is not held against the picture; and, where the
+///       surface may stray by metres, as far around as `band.metres` reach on screen at that
+///       point's depth.
 ///   (3) See-through: the point drawn lies behind all truth within the band, and the truth above or
 ///   below that point is
 ///       itself hidden. A surface that is merely displaced is the pixel error's matter.
 /// surface  names patches; its mesh's triangles are `drawn.primitive`
 Coverage coverage_of(const HeightfieldTruth& truth, const HitImage& true_hits,
                      const HitImage& drawn, const Camera& camera, const DrawnSurface& surface,
-                     double tolerance_px, int most_listed = 100);
+                     const Band& band, int most_listed = 100);
 
 }  // namespace plumb::audit

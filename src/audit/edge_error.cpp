@@ -82,6 +82,7 @@ class EdgeWalk {
     const double pixels = screen_displacement_px(camera_, point, kUp, delta);
     if (pixels > errors.max_px) {
       errors.max_px = pixels;
+      errors.pixels_per_metre = pixels / metres;
       errors.worst_px = point;
       errors.triangle_px = triangle;
     }
@@ -100,6 +101,7 @@ EdgeErrors worse(EdgeErrors a, const EdgeErrors& b) {
   }
   if (b.max_px > a.max_px) {
     a.max_px = b.max_px;
+    a.pixels_per_metre = b.pixels_per_metre;
     a.worst_px = b.worst_px;
     a.triangle_px = b.triangle_px;
   }

@@ -66,14 +66,16 @@ Registration registration_of(const TriangleMesh& mesh, const HitImage& drawn,
     const glm::dvec3 a = mesh.vertices_m[t[0]], b = mesh.vertices_m[t[1]],
                      c = mesh.vertices_m[t[2]];
     glm::dvec3 normal = area_normal(a, b, c);
-    normal /= std::sqrt(glm::dot(normal, normal));
+    const double length = std::sqrt(glm::dot(normal, normal));
+    if (length > 0.0) normal /= length;  // a triangle without area has no plane to be off
     const double distance = glm::dot(normal, (eye - a) + ray);
     s.count = 1.0;
     s.shift = shift;
     s.largest_shift = std::sqrt(glm::dot(shift, shift));
     s.largest_off = std::abs(distance);
-    s.reach = std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z), std::abs(eye.x),
-                        std::abs(eye.y), std::abs(eye.z)});
+    s.reach =
+        std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z), std::abs(eye.x), std::abs(eye.y),
+                  std::abs(eye.z), std::abs(ray.x), std::abs(ray.y), std::abs(ray.z)});
     s.matrix = {normal.x * normal.x, normal.x * normal.y, normal.x * normal.z,
                 normal.y * normal.y, normal.y * normal.z, normal.z * normal.z};
     s.right = -distance * normal;

@@ -4,7 +4,6 @@
 #include <memory>
 #include <utility>
 
-
 #include "audit/picture.h"
 #include "core/memory.h"
 #include "raster/rasteriser.h"

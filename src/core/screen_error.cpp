@@ -164,6 +164,7 @@ double allowed_displacement_m(const Camera& camera, const Box& box, const glm::d
   const double rho_cosine = std::sqrt(glm::dot(apart, apart) / (1.0 + tan_squared));
   const double w_low = std::max({w_corners, camera.near_m, rho_cosine});
   const double n = std::min(n_corners, n_image);
+  if (error_px == 0.0) return 0.0;
   return error_px * w_low / (n + error_px * std::abs(e.z)) * kRoundDown;
 }
 

@@ -126,17 +126,26 @@ void meet_cell(Walk& walk, const Heightfield& field, Diagonal diagonal, int i, i
     meet_triangle(walk, cell.half[static_cast<std::size_t>(half)], i, j, from, to,
                   first + static_cast<std::uint32_t>(half));
   };
+  // A triangle that the ray leaves at once or never enters but by a point; the side is the other
+  // triangle's to tell.
+  const auto touch = [&](int half, double at) {
+    const int side_before = walk.side;
+    const double side_t_before = walk.side_t;
+    meet(half, at, at);
+    walk.side = side_before;
+    walk.side_t = side_t_before;
+  };
   if (d_low == 0.0 && d_high == 0.0) {  // along the diagonal: both triangles share these points
     meet(0, t.low, t.high);
     meet(1, t.low, t.high);
   } else if (d_low >= 0.0 && d_high >= 0.0) {
-    meet(0, t.low, t.high);
     if (d_low == 0.0) meet(1, t.low, t.low);
-    if (d_high == 0.0) meet(1, t.high, t.high);
+    meet(0, t.low, t.high);
+    if (d_high == 0.0) touch(1, t.high);
   } else if (d_low <= 0.0 && d_high <= 0.0) {
-    meet(1, t.low, t.high);
     if (d_low == 0.0) meet(0, t.low, t.low);
-    if (d_high == 0.0) meet(0, t.high, t.high);
+    meet(1, t.low, t.high);
+    if (d_high == 0.0) touch(0, t.high);
   } else {
     const double cut =
         std::clamp(t.low + (t.high - t.low) * (d_low / (d_low - d_high)), t.low, t.high);
@@ -225,8 +234,9 @@ RayHit cast_ray(const Heightfield& field, Diagonal diagonal, const HeightPyramid
   walk.du = ray.direction.x / field.dx_m;
   walk.dv = ray.direction.y / field.dy_m;
   walk.dz = ray.direction.z;
-  if (std::abs(walk.du) < kStill) walk.du = 0.0;
-  if (std::abs(walk.dv) < kStill) walk.dv = 0.0;
+  const double most = std::max({std::abs(walk.du), std::abs(walk.dv), std::abs(walk.dz)});
+  if (std::abs(walk.du) < kStill * most) walk.du = 0.0;
+  if (std::abs(walk.dv) < kStill * most) walk.dv = 0.0;
   walk.inverse_du = 1.0 / walk.du;
   walk.inverse_dv = 1.0 / walk.dv;
   walk.t_min = ray.t_min;

@@ -18,8 +18,7 @@ namespace plumb::reference {
 ///   crosses, also through samples,
 ///       along edges and along grid lines. Voids are open: a ray through one goes on.
 ///   (2) The result is a function of the ray and the terrain alone: the same bits on every machine
-///   and thread count. Which
-///       nodes of the quadtree are opened decides nothing.
+///       and thread count.
 ///   (3) Of triangles met at the same t the one with the lowest index (terrain::triangle_index) is
 ///   named.
 /// Holds 1.33 bytes a triangle beside the field's own 2, and keeps a reference to the field.

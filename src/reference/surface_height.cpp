@@ -16,23 +16,23 @@ using terrain::Heightfield;
 
 constexpr double kBorder = 1e-9;  // cells
 
+// Height at (a, b) in [0, 1]^2 of one half of a cell, and how far inside the half the place lies
+// (cells, negative outside).
 struct Half {
-  double height;
-  bool contains;
+  double height, inside;
 };
 
-// Height at (a, b) in [0, 1]^2 of one half of the cell at (i, j), as a sum of corner heights
-// weighted by nearness.
+// A sum of corner heights weighted by nearness.
 Half half_at(const Heightfield& field, bool north_east, int half, int i, int j, double a,
              double b) {
   const double sw = field.heights_m(i, j), se = field.heights_m(i + 1, j);
   const double nw = field.heights_m(i, j + 1), ne = field.heights_m(i + 1, j + 1);
   if (north_east) {
-    if (half == 0) return {(1.0 - a) * sw + (a - b) * se + b * ne, a >= b};
-    return {(1.0 - b) * sw + a * ne + (b - a) * nw, b >= a};
+    if (half == 0) return {(1.0 - a) * sw + (a - b) * se + b * ne, a - b};
+    return {(1.0 - b) * sw + a * ne + (b - a) * nw, b - a};
   }
-  if (half == 0) return {(1.0 - a - b) * sw + a * se + b * nw, a + b <= 1.0};
-  return {(1.0 - b) * se + (a + b - 1.0) * ne + (1.0 - a) * nw, a + b >= 1.0};
+  if (half == 0) return {(1.0 - a - b) * sw + a * se + b * nw, 1.0 - (a + b)};
+  return {(1.0 - b) * se + (a + b - 1.0) * ne + (1.0 - a) * nw, a + b - 1.0};
 }
 
 struct Place {
@@ -47,16 +47,35 @@ Place locate(double coordinate, int cells) {
   return {cell, std::clamp(coordinate - cell, 0.0, 1.0)};
 }
 
-SurfacePoint in_cell(const Heightfield& field, Diagonal diagonal, int i, int j, double a,
-                     double b) {
+constexpr SurfacePoint kNowhere{std::numeric_limits<double>::quiet_NaN(), kNoPrimitive};
+
+// The first half of the cell that exists and holds the place, give or take `slack` cells.
+SurfacePoint in_cell(const Heightfield& field, Diagonal diagonal, int i, int j, double a, double b,
+                     double slack) {
   const bool north_east = rises_north_east(diagonal, i, j);
   for (int half = 0; half < 2; ++half) {
     const Half found = half_at(field, north_east, half, i, j, a, b);
-    if (found.contains && !std::isnan(found.height)) {
+    if (found.inside >= -slack && !std::isnan(found.height)) {
       return {found.height, terrain::triangle_index(field.cell_columns(), i, j, half)};
     }
   }
-  return {std::numeric_limits<double>::quiet_NaN(), kNoPrimitive};
+  return kNowhere;
+}
+
+// Looks for surface on the other side of whatever edge the place is on.
+SurfacePoint beside(const Heightfield& field, Diagonal diagonal, Place x, Place y) {
+  for (int dj = -1; dj <= 1; ++dj) {
+    for (int di = -1; di <= 1; ++di) {
+      const double a = x.fraction - di, b = y.fraction - dj;
+      const int i = x.cell + di, j = y.cell + dj;
+      if (i < 0 || j < 0 || i >= field.cell_columns() || j >= field.cell_rows()) continue;
+      if (a < -kBorder || a > 1.0 + kBorder || b < -kBorder || b > 1.0 + kBorder) continue;
+      const SurfacePoint found =
+          in_cell(field, diagonal, i, j, std::clamp(a, 0.0, 1.0), std::clamp(b, 0.0, 1.0), kBorder);
+      if (found.triangle != kNoPrimitive) return found;
+    }
+  }
+  return kNowhere;
 }
 
 }  // namespace
@@ -64,19 +83,10 @@ SurfacePoint in_cell(const Heightfield& field, Diagonal diagonal, int i, int j, 
 SurfacePoint surface_at(const Heightfield& field, Diagonal diagonal, double x_m, double y_m) {
   const Place x = locate(x_m / field.dx_m, field.cell_columns()),
               y = locate(y_m / field.dy_m, field.cell_rows());
-  if (x.cell < 0 || y.cell < 0) return {std::numeric_limits<double>::quiet_NaN(), kNoPrimitive};
-  const SurfacePoint here = in_cell(field, diagonal, x.cell, y.cell, x.fraction, y.fraction);
-  // On a grid line the cell to the west or south has its say where this one is void.
-  const bool on_column = x.fraction < kBorder && x.cell > 0,
-             on_row = y.fraction < kBorder && y.cell > 0;
-  if (here.triangle != kNoPrimitive || (!on_column && !on_row)) return here;
-  SurfacePoint found = here;
-  if (on_row) found = in_cell(field, diagonal, x.cell, y.cell - 1, x.fraction, 1.0);
-  if (found.triangle == kNoPrimitive && on_column)
-    found = in_cell(field, diagonal, x.cell - 1, y.cell, 1.0, y.fraction);
-  if (found.triangle == kNoPrimitive && on_column && on_row)
-    found = in_cell(field, diagonal, x.cell - 1, y.cell - 1, 1.0, 1.0);
-  return found;
+  if (x.cell < 0 || y.cell < 0) return kNowhere;
+  const SurfacePoint here = in_cell(field, diagonal, x.cell, y.cell, x.fraction, y.fraction, 0.0);
+  // Where this cell is void, rounding may have put a place of its rim into it.
+  return here.triangle != kNoPrimitive ? here : beside(field, diagonal, x, y);
 }
 
 bool exists_at(const Heightfield& field, Diagonal diagonal, double x_m, double y_m) {

@@ -16,9 +16,9 @@ struct SurfacePoint {
 /// Height of the full-detail surface over (x_m, y_m), relative to the terrain's origin.
 ///
 /// On an edge between two triangles the one that exists is taken, of two the one with the lower
-/// index. A place less than 1e-9 cells outside the terrain counts as on its border: that is where
-/// rounding puts points of the border. Evaluation rounds at most six times at the heights'
-/// magnitude; see `evaluation_slack_m`.
+/// index. A place less than 1e-9 cells from the surface's rim (the terrain's border, a void's)
+/// counts as on it: that is where rounding puts points of the rim. How much evaluation may round:
+/// `evaluation_slack_m`.
 SurfacePoint surface_at(const terrain::Heightfield& field, terrain::Diagonal diagonal, double x_m,
                         double y_m);
 

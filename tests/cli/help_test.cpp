@@ -46,7 +46,7 @@ TEST(Help, OfEveryCommandHasAnExampleThatWorksAsPrinted) {
   for (const std::string& name : listed_commands()) {
     const TemporaryFolder folder;
     const std::string example = example_of(name);
-    ASSERT_EQ(example.rfind("plumb " + name, 0), 0u) << name << ": " << example;
+    ASSERT_NE(example.find("plumb " + name), std::string::npos) << name << ": " << example;
     const std::string path = std::string(PLUMB_BIN_DIR) + ":" + ::getenv("PATH");
     const CommandResult result =
         run_command({"sh", "-c", example}, {folder.path().string(), {{"PATH", path}}});

@@ -164,8 +164,8 @@ int run_audit(const AuditCommandOptions& options, const Invocation& invocation) 
   for (const std::string& text : options.limits)
     audit_options.limits.push_back(audit::parse_limit(text));
   audit_options.nearest = !options.without_nearest;
-  audit_options.band_px =
-      request.tolerance.unit == Unit::Pixel ? std::max(1.0, request.tolerance.value) : 1.0;
+  (request.tolerance.unit == Unit::Pixel ? audit_options.band.pixels : audit_options.band.metres) =
+      request.tolerance.value;
 
   Progress progress;
   progress.step("reading the terrain");

@@ -18,6 +18,7 @@
 #include "golden_picture.h"
 #include "image/image_files.h"
 #include "progress.h"
+#include "terrain/generators.h"
 #include "text_table.h"
 
 namespace plumb::tool {
@@ -145,6 +146,12 @@ std::string why_text(const std::string& why, const audit::Scene& scene) {
       why, by, scene.terrain);
 }
 
+// A terrain file's name as the scene in `folder` must say it.
+std::string seen_from(const fs::path& folder, const std::string& terrain) {
+  if (terrain::is_generator(terrain) || !fs::is_regular_file(terrain)) return terrain;
+  return fs::proximate(terrain, folder).string();
+}
+
 int run_add(const GoldenOptions& options) {
   if (options.name.empty() || options.scene.empty())
     input_error("golden add needs a NAME and a SCENE (a .toml, or an .exr drawn by plumb)");
@@ -152,7 +159,7 @@ int run_add(const GoldenOptions& options) {
   const fs::path folder(options.folder);
   const GoldenManifest manifest =
       fs::exists(folder / "manifest.toml") ? read_manifest(folder) : parse_manifest("", folder);
-  const audit::Scene scene = read_scene_or_picture(options.scene);
+  audit::Scene scene = read_scene_or_picture(options.scene);
   const image::AovImage picture = draw(scene);
   GoldenCase added{options.name, image::raw_checksum(picture), 0, options.why};
   const std::string text = with_case(manifest, added);
@@ -160,6 +167,7 @@ int run_add(const GoldenOptions& options) {
   if (fs::exists(target))
     input_error("{}: is there already, though no case names it", target.string());
   write_reference(manifest, options.name, picture);
+  scene.terrain = seen_from(target, scene.terrain);
   write_file_atomically(manifest.scene(options.name), audit::to_toml(scene));
   write_file_atomically(manifest.why(options.name), why_text(options.why, scene));
   write_file_atomically(manifest.path(), text);

@@ -6,7 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "audit/mesh_file.h"
+#include "audit/ply_file.h"
 #include "audit/picture.h"
 #include "audit/scene_picture.h"
 #include "command.h"

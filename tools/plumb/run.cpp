@@ -82,7 +82,8 @@ int act(const std::vector<Command>& commands, const Invocation& invocation) {
 
 std::string Invocation::command_line() const {
   std::string line = "plumb";
-  for (std::size_t i = 1; i < arguments.size(); ++i) line.append(1, ' ').append(quoted(arguments[i]));
+  for (std::size_t i = 1; i < arguments.size(); ++i)
+    line.append(1, ' ').append(quoted(arguments[i]));
   return line;
 }
 

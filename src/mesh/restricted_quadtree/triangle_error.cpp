@@ -40,12 +40,10 @@ PlaneOver plane_over(const Heightfield& field, const BinTriangle& t) {
       h;  // a sample's step from a towards b, along each axis that the hypotenuse uses
   const double to_apex = (c - at_m) / h;  // and from m towards c
   if (shape.is_centre) {
-    // d(height) = across * x + up * y, known along the diagonal (sx, sy) = sign(b - a) and the
-    // other, sign(c - m).
+    // across * x + up * y is known for one step along either diagonal, (sx, sy) and (cx, cy), which
+    // are orthogonal: sx * across + sy * up = along, cx * across + cy * up = to_apex.
     const double sx = t.b.i > t.a.i ? 1 : -1, sy = t.b.j > t.a.j ? 1 : -1;
     const double cx = t.c.i > m.i ? 1 : -1, cy = t.c.j > m.j ? 1 : -1;
-    // sx * across + sy * up = 2 * along / ... over one step of both axes; the two diagonals are
-    // orthogonal.
     return {at_m, 0.5 * (sx * along + cx * to_apex), 0.5 * (sy * along + cy * to_apex)};
   }
   if (shape.along_row)

@@ -26,7 +26,7 @@ struct Light {
 struct Sky {
   glm::dvec3 zenith{0.13, 0.27, 0.56};
   glm::dvec3 horizon{0.66, 0.76, 0.86};
-  glm::dvec3 below{0.045, 0.05, 0.06};  // where a view goes below the horizon and meets nothing
+  glm::dvec3 below{0.17, 0.19, 0.22};  // where a view goes below the horizon and meets nothing
 };
 
 /// A picture laid over the ground from above: its top side lies in the north.

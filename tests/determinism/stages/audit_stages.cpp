@@ -27,21 +27,21 @@ DrawnSurface damaged(DrawnSurface surface) {
   return surface;
 }
 
-void add(Checksum& sum, const audit::Distribution& d) {
+void add_distribution(Checksum& sum, const audit::Distribution& d) {
   sum.add(d.count).add(d.infinite).add(d.max).add(d.max_finite).add(d.rms);
   sum.add(d.p50).add(d.p95).add(d.p99).add(d.p999);
 }
 
 void add_measures(Checksum& sum, const AuditResult& result) {
-  add(sum, result.samples.metres);
-  add(sum, result.samples.pixels);
-  add(sum, result.samples.visible_pixels);
-  add(sum, result.vertical);
-  add(sum, result.reverse_vertical);
-  add(sum, result.depth);
-  add(sum, result.normal_deg);
-  add(sum, result.nearest.forward);
-  add(sum, result.nearest.reverse);
+  add_distribution(sum, result.samples.metres);
+  add_distribution(sum, result.samples.pixels);
+  add_distribution(sum, result.samples.visible_pixels);
+  add_distribution(sum, result.vertical);
+  add_distribution(sum, result.reverse_vertical);
+  add_distribution(sum, result.depth);
+  add_distribution(sum, result.normal_deg);
+  add_distribution(sum, result.nearest.forward);
+  add_distribution(sum, result.nearest.reverse);
   sum.add(std::span<const float>(result.samples.triangle_max_m));
   sum.add(std::span<const float>(result.pixels.vertical_px));
   sum.add(std::span<const float>(result.nearest.forward_px));
@@ -83,7 +83,7 @@ std::uint64_t whole_audit(bool sound) {
   const DrawnSurface surface = drawn(field, camera);
   const audit::HeightfieldTruth truth(field, terrain::Diagonal::Alternating);
   audit::AuditOptions options;
-  options.band_px = kTolerance.value;
+  options.band.pixels = kTolerance.value;
   const AuditResult result =
       audit::audit_surface(truth, sound ? surface : damaged(surface), camera, options);
   Checksum sum;

@@ -26,7 +26,7 @@ std::uint64_t pictures() {
   return sum.value();
 }
 
-void add(Checksum& sum, const image::ColourImage& picture) {
+void add_colours(Checksum& sum, const image::ColourImage& picture) {
   for (const auto* channel : {&picture.r, &picture.g, &picture.b})
     sum.add(std::span<const float>(*channel));
 }
@@ -41,8 +41,8 @@ std::uint64_t shading() {
   options.high_m = 2800.0;
   options.haze_m = 5000.0;
   Checksum sum;
-  add(sum, raster::shade(hits, camera, raster::flat_normals(*surface.mesh, hits), options));
-  add(sum, raster::shaded_preview(field, 50));
+  add_colours(sum, raster::shade(hits, camera, raster::flat_normals(*surface.mesh, hits), options));
+  add_colours(sum, raster::shaded_preview(field, 50));
   return sum.value();
 }
 

@@ -115,7 +115,9 @@ TEST(LargestDisplacement, IsReachedAndNeverExceeded) {
     }
     EXPECT_LE(largest, bound * (1 + 1e-9));
     // The grid meets corners exactly and edges to a twelfth: near the largest.
-    if (bound < 1e4) EXPECT_GE(largest, 0.9 * bound);
+    if (bound < 1e4) {
+      EXPECT_GE(largest, 0.9 * bound);
+    }
   }
   EXPECT_GT(finite, 300);
 }

@@ -1,6 +1,8 @@
 // The truth at a place, and the nearest truth to a point.
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -73,6 +75,22 @@ TEST(SurfaceAt, FindsGroundOnTheRimOfAVoidFromEitherSide) {
   EXPECT_TRUE(exists_at(field, Diagonal::Alternating, 20.0,
                         25.0));  // the last column that is whole to the west
   EXPECT_FALSE(exists_at(field, Diagonal::Alternating, 21.0, 25.0));
+}
+
+// The middle of a rim along a diagonal, computed so that rounding decides on which side of it it
+// falls.
+TEST(SurfaceAt, FindsGroundOnARimThatRunsAlongADiagonal) {
+  terrain::Heightfield field = test_support::rough_terrain(9, 9, 4, 60.0, 0.0, 13.7, 9.1);
+  field.heights_m(4, 5) =
+      std::numeric_limits<float>::quiet_NaN();  // leaves the south-eastern half of cell (4, 4)
+  for (int k = 0; k <= 1000; ++k) {
+    const double share = k / 1000.0;
+    const double x = (1.0 - share) * (4 * 13.7) + share * (5 * 13.7);
+    const double y = (1.0 - share) * (4 * 9.1) + share * (5 * 9.1);
+    const double expected = (1.0 - share) * field.heights_m(4, 4) + share * field.heights_m(5, 5);
+    // 1e-9 cells of a slope below 100 m a cell.
+    EXPECT_NEAR(surface_at(field, Diagonal::Alternating, x, y).height_m, expected, 1e-6) << share;
+  }
 }
 
 TEST(NearestOnHeightfield, IsThatOfTryingDenselyEverywhere) {

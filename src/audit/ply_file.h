@@ -1,4 +1,4 @@
-// Drawn meshes in files.
+// Drawn meshes as PLY files.
 #pragma once
 
 #include <filesystem>

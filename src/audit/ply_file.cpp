@@ -1,4 +1,4 @@
-#include "audit/mesh_file.h"
+#include "audit/ply_file.h"
 
 #include <bit>
 #include <cerrno>
