@@ -68,17 +68,24 @@ class SecondLook {
         camera_(camera),
         local_(relative_to(camera, truth.field().world_origin_m())),
         band_(band),
-        radius_(radius) {}
+        radius_(radius),
+        drawn_around_(neighbourhoods(drawn, radius + 1)) {}
 
   DefectKind judge(int x, int y, const Neighbourhood& n) const {
     const std::size_t pixel = drawn_.index(x, y);
     const bool hit = drawn_.hit(pixel);
+    // What is missing or too much over the whole band and more is no matter of detail between
+    // pixels.
+    const bool at_large = band_.metres == 0.0 &&
+                          (hit ? drawn_around_[pixel].all_hit() : drawn_around_[pixel].all_miss());
     if (n.all_hit() && !hit) {
+      if (at_large) return DefectKind::Hole;
       const bool sky = any_ray_around(x, y, true_hits_.from_eye_m[pixel],
                                       [](const reference::RayHit& ray) { return !ray; });
       return sky ? DefectKind::None : DefectKind::Hole;
     }
     if (n.all_miss() && hit) {
+      if (at_large) return DefectKind::Overshoot;
       const bool land =
           any_ray_around(x, y, drawn_.from_eye_m[pixel],
                          [](const reference::RayHit& ray) { return static_cast<bool>(ray); });
@@ -141,6 +148,7 @@ class SecondLook {
   Camera local_;
   Band band_;
   int radius_;
+  std::vector<Neighbourhood> drawn_around_;
 };
 
 // The two patches that most pixels around show.

@@ -97,6 +97,8 @@ std::string audit_text(const AuditResult& result) {
       {{""}, {""}},
       {{"coverage", fmt::format("{} holes, {} overshoots, {} see-through pixels", c.holes,
                                 c.overshoots, c.see_through)},
+       {"samples", fmt::format("{} with nothing drawn over them, {} voids drawn over",
+                               result.samples.uncovered, result.samples.over_void)},
        {"topology",
         fmt::format("{} open edges, {} T-junctions, {} non-manifold, {} degenerate, {} folded",
                     t.open_edges, t.t_junctions, t.non_manifold_edges + t.non_manifold_vertices,
@@ -152,8 +154,9 @@ Subject read_subject(const AuditCommandOptions& options, Progress& progress) {
   subject.surface.cost.triangles = static_cast<std::int64_t>(mesh->triangles.size());
   subject.surface.mesh = std::move(mesh);
   subject.surface.notes.push_back(
-      "A mesh from a file claims nothing but to have no hole; give limits with --limit to have it "
-      "judged.");
+      "A mesh from a file claims nothing but to have no hole; --limit has more judged. Its "
+      "silhouettes may move by --tolerance; where they move farther, terrain seen past them counts "
+      "as see-through.");
   return subject;
 }
 
@@ -204,6 +207,9 @@ int run_audit(const AuditCommandOptions& options, const Invocation& invocation) 
   }
   progress.finish();
   std::cout << (options.json ? audit::audit_json(result, subject) : audit_text(result));
+  if (!options.json) {
+    for (const std::string& note : surface.notes) std::cout << note << "\n";
+  }
   if (!options.json && !files.empty()) {
     std::string list;
     for (const std::string& file : files) list += " " + file;
