@@ -65,6 +65,3 @@ configure_and_build() {
 
 # A compiler cache, where there is one, is of use to every copy of this tree.
 export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
-
-# The compiler's cache serves other checkouts of the same tree as well.
-export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
