@@ -8,13 +8,8 @@ add_library(plumb_flags INTERFACE)
 target_compile_features(plumb_flags INTERFACE cxx_std_20)
 target_compile_options(plumb_flags INTERFACE -ffp-contract=off -fno-fast-math)
 target_compile_options(plumb_flags INTERFACE $<BUILD_INTERFACE:-Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor>)
-<<<<<<< HEAD
 # gcc 12 takes "literal" + std::string at -O3 for an overlapping copy (its bug 105651).
 target_compile_options(plumb_flags INTERFACE $<BUILD_INTERFACE:$<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>>)
-=======
-# gcc 12 at -O3 takes "text" + std::string for overlapping copies (its bug 105651).
-target_compile_options(plumb_flags INTERFACE $<BUILD_INTERFACE:$<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>>)
->>>>>>> main
 if(PLUMB_WERROR)
   target_compile_options(plumb_flags INTERFACE $<BUILD_INTERFACE:-Werror>)
 endif()
