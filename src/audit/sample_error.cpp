@@ -16,6 +16,11 @@ constexpr glm::dvec3 kUp{0.0, 0.0, 1.0};
 constexpr double kHiddenByLess =
     1e-3;  // relative depth by which a sample may lie behind the truth around its pixel
 
+bool inside_image(const Camera& camera, const glm::dvec2& pixel) {
+  return pixel.x >= 0.0 && pixel.x <= camera.width_px && pixel.y >= 0.0 &&
+         pixel.y <= camera.height_px;
+}
+
 struct RowErrors {
   std::vector<float> metres, pixels, visible;
   WorstSample worst_m, worst_px;
@@ -29,17 +34,29 @@ class RowMeasure {
  public:
   RowMeasure(const HeightfieldTruth& truth, const HitImage& true_hits, const DrawnSurface& surface,
              const Camera& local)
-      : truth_(truth), true_hits_(true_hits), surface_(surface), camera_(local) {}
+      : truth_(truth),
+        true_hits_(true_hits),
+        surface_(surface),
+        camera_(local),
+        up_(direction_to_view(local, kUp)) {}
 
   RowErrors operator()(int j, std::span<const Deviation> row) const {
     RowErrors errors;
-    for (int i = 0; i < truth_.field().columns(); ++i)
-      measure(i, j, row[static_cast<std::size_t>(i)], errors);
+    Named last;
+    for (int i = 0; i < truth_.field().columns(); ++i) {
+      measure(i, j, row[static_cast<std::size_t>(i)], last, errors);
+    }
     return errors;
   }
 
  private:
-  void measure(int i, int j, const Deviation& deviation, RowErrors& errors) const {
+  // The patch of the triangle before: neighbours mostly share it.
+  struct Named {
+    std::uint32_t triangle = kNoPrimitive;
+    int patch = -1;
+  };
+
+  void measure(int i, int j, const Deviation& deviation, Named& last, RowErrors& errors) const {
     const terrain::Heightfield& field = truth_.field();
     errors.overlapped += deviation.sheets > 1;
     if (field.is_void(i, j)) {
@@ -51,46 +68,53 @@ class RowMeasure {
           reference::exists_at(field, truth_.diagonal(), i * field.dx_m, j * field.dy_m);
       return;
     }
+    if (last.triangle != deviation.triangle) {
+      last = {deviation.triangle, patch_of(surface_, deviation.triangle)};
+    }
     const double metres = std::abs(deviation.delta_m);
     errors.metres.push_back(static_cast<float>(metres));
-    const int patch = patch_of(surface_, deviation.triangle);
-    if (errors.patches.empty() || errors.patches.back().first != patch)
-      errors.patches.emplace_back(patch, 0.0);
-    errors.patches.back().second = std::max(errors.patches.back().second, metres);
-    const WorstSample here{i, j, metres, deviation.delta_m, deviation.triangle, patch};
-    if (errors.worst_m.i < 0 || metres > errors.worst_m.error) errors.worst_m = here;
-
-    const glm::dvec3 point{i * field.dx_m, j * field.dy_m, field.heights_m(i, j)};
-    if (!in_frustum(camera_, point)) return;
-    const double pixels = screen_displacement_px(camera_, point, kUp, deviation.delta_m);
-    errors.pixels.push_back(static_cast<float>(pixels));
-    const double depth = to_view(camera_, point).z, small = 1e-6 * depth;
-    errors.pixels_per_metre = std::max(errors.pixels_per_metre,
-                                       screen_displacement_px(camera_, point, kUp, small) / small);
-    if (is_visible(point)) errors.visible.push_back(static_cast<float>(pixels));
-    if (errors.worst_px.i < 0 || pixels > errors.worst_px.error) {
-      errors.worst_px = here;
-      errors.worst_px.error = pixels;
+    if (errors.patches.empty() || errors.patches.back().first != last.patch) {
+      errors.patches.emplace_back(last.patch, 0.0);
     }
+    errors.patches.back().second = std::max(errors.patches.back().second, metres);
+    const WorstSample here{i, j, metres, deviation.delta_m, deviation.triangle, last.patch};
+    if (errors.worst_m.i < 0 || metres > errors.worst_m.error) errors.worst_m = here;
+    measure_on_screen(here, errors);
   }
 
-  bool is_visible(const glm::dvec3& point) const {
-    const glm::dvec3 view = to_view(camera_, point);
+  void measure_on_screen(WorstSample here, RowErrors& errors) const {
+    const terrain::Heightfield& field = truth_.field();
+    const glm::dvec3 view = to_view(
+        camera_, {here.i * field.dx_m, here.j * field.dy_m, field.heights_m(here.i, here.j)});
+    if (!(view.z >= camera_.near_m && view.z <= camera_.far_m)) return;
     const glm::dvec2 pixel = view_to_pixel(camera_, view);
+    if (!inside_image(camera_, pixel)) return;
+    here.error = screen_displacement_of_view_px(camera_, view, up_, here.delta_m);
+    errors.pixels.push_back(static_cast<float>(here.error));
+    const double small = 1e-6 * view.z;
+    errors.pixels_per_metre = std::max(
+        errors.pixels_per_metre, screen_displacement_of_view_px(camera_, view, up_, small) / small);
+    if (is_visible(pixel, view.z)) errors.visible.push_back(static_cast<float>(here.error));
+    if (errors.worst_px.i < 0 || here.error > errors.worst_px.error) errors.worst_px = here;
+  }
+
+  // Not behind the truth that its pixel or one of the eight around it shows.
+  bool is_visible(const glm::dvec2& pixel, double depth) const {
     const int x = static_cast<int>(pixel.x), y = static_cast<int>(pixel.y);
-    double deepest = 0.0;
     for (int b = std::max(0, y - 1); b <= std::min(true_hits_.height_px - 1, y + 1); ++b) {
       for (int a = std::max(0, x - 1); a <= std::min(true_hits_.width_px - 1, x + 1); ++a) {
-        deepest = std::max(deepest, true_hits_.depth_m[true_hits_.index(a, b)]);
+        if (depth <= true_hits_.depth_m[true_hits_.index(a, b)] * (1.0 + kHiddenByLess))
+          return true;
       }
     }
-    return view.z <= deepest * (1.0 + kHiddenByLess);
+    return false;
   }
 
   const HeightfieldTruth& truth_;
   const HitImage& true_hits_;
   const DrawnSurface& surface_;
   const Camera& camera_;
+  glm::dvec3 up_;  // in view coordinates
 };
 
 void keep_worse(WorstSample& worst, const WorstSample& other) {
@@ -101,10 +125,8 @@ void keep_worse(WorstSample& worst, const WorstSample& other) {
 
 bool in_frustum(const Camera& camera, const glm::dvec3& point_m) {
   const glm::dvec3 view = to_view(camera, point_m);
-  if (!(view.z >= camera.near_m && view.z <= camera.far_m)) return false;
-  const glm::dvec2 pixel = view_to_pixel(camera, view);
-  return pixel.x >= 0.0 && pixel.x <= camera.width_px && pixel.y >= 0.0 &&
-         pixel.y <= camera.height_px;
+  return view.z >= camera.near_m && view.z <= camera.far_m &&
+         inside_image(camera, view_to_pixel(camera, view));
 }
 
 SampleErrors sample_errors(const HeightfieldTruth& truth, const HitImage& true_hits,

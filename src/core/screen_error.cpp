@@ -23,10 +23,6 @@ glm::dvec2 velocity(const Camera& camera, const glm::dvec3& axis, const glm::dve
           camera.gamma_v * (p.z * axis.y - axis.z * p.y)};
 }
 
-glm::dvec3 direction_to_view(const Camera& camera, const glm::dvec3& axis) {
-  return {glm::dot(axis, camera.right), glm::dot(axis, camera.up), glm::dot(axis, camera.forward)};
-}
-
 using Cubic = std::array<double, 4>;
 
 double evaluate(const Cubic& c, double t) { return ((c[3] * t + c[2]) * t + c[1]) * t + c[0]; }
@@ -95,15 +91,25 @@ std::array<glm::dvec2, 4> image_corners(const Camera& camera) {
 
 }  // namespace
 
+glm::dvec3 direction_to_view(const Camera& camera, const glm::dvec3& direction) {
+  return {glm::dot(direction, camera.right), glm::dot(direction, camera.up),
+          glm::dot(direction, camera.forward)};
+}
+
+double screen_displacement_of_view_px(const Camera& camera, const glm::dvec3& view_m,
+                                      const glm::dvec3& axis_view, double delta_m) {
+  if (delta_m == 0.0) return 0.0;
+  const double moved = view_m.z + delta_m * axis_view.z;
+  if (!(view_m.z > 0.0) || !(moved > 0.0)) return kInfinity;
+  const glm::dvec2 n = velocity(camera, axis_view, view_m);
+  return std::abs(delta_m) * std::sqrt(glm::dot(n, n)) / (view_m.z * moved);
+}
+
 double screen_displacement_px(const Camera& camera, const glm::dvec3& world_m,
                               const glm::dvec3& axis, double delta_m) {
   if (delta_m == 0.0) return 0.0;
-  const glm::dvec3 p = to_view(camera, world_m);
-  const glm::dvec3 e = direction_to_view(camera, axis);
-  const double moved = p.z + delta_m * e.z;
-  if (!(p.z > 0.0) || !(moved > 0.0)) return kInfinity;
-  const glm::dvec2 n = velocity(camera, e, p);
-  return std::abs(delta_m) * std::sqrt(glm::dot(n, n)) / (p.z * moved);
+  return screen_displacement_of_view_px(camera, to_view(camera, world_m),
+                                        direction_to_view(camera, axis), delta_m);
 }
 
 double largest_displacement_px(const Camera& camera, const Box& box, const glm::dvec3& axis,

@@ -19,6 +19,14 @@ namespace plumb {
 double screen_displacement_px(const Camera& camera, const glm::dvec3& world_m,
                               const glm::dvec3& axis, double delta_m);
 
+/// The same for a point and an axis in view coordinates (see core/camera.h), for loops that have
+/// them at hand.
+double screen_displacement_of_view_px(const Camera& camera, const glm::dvec3& view_m,
+                                      const glm::dvec3& axis_view, double delta_m);
+
+/// A direction in view coordinates.
+glm::dvec3 direction_to_view(const Camera& camera, const glm::dvec3& direction);
+
 /// Largest displacement on screen of any point of `box` moved by at most `delta_m` along `axis`:
 /// the exact supremum, +inf if a moved point may come to the eye's plane. The box need not be in
 /// view. `axis` is a coordinate axis.

@@ -82,7 +82,23 @@ NearestPoint nearest_on_heightfield(const Heightfield& field, terrain::Diagonal 
   if (pyramid.root().empty()) return query.found;
   std::array<Node, 4 * 32> stack;
   std::size_t count = 0;
-  stack[count++] = make_node(query, field, pyramid, pyramid.top_level(), 0, 0);
+  // Begins at the level whose nodes are as wide as the ball: four of them hold it.
+  const double width_m = 2.0 * std::sqrt(query.best_squared),
+               step_m = std::min(field.dx_m, field.dy_m);
+  int level = 1;
+  while (level < pyramid.top_level() && (1 << level) * step_m < width_m) ++level;
+  const auto first = [&](double at, double step, int nodes) {
+    return static_cast<int>(
+        std::clamp(std::floor((at - 0.5 * width_m) / (step * (1 << level))), 0.0, nodes - 1.0));
+  };
+  const bool whole = level == pyramid.top_level();
+  const int i0 = whole ? 0 : first(point_m.x, field.dx_m, pyramid.columns(level));
+  const int j0 = whole ? 0 : first(point_m.y, field.dy_m, pyramid.rows(level));
+  for (int j = j0; j < std::min(j0 + 2, pyramid.rows(level)); ++j) {
+    for (int i = i0; i < std::min(i0 + 2, pyramid.columns(level)); ++i) {
+      stack[count++] = make_node(query, field, pyramid, level, i, j);
+    }
+  }
   while (count > 0) {
     const Node node = stack[--count];
     if (node.distance_squared >= query.best_squared) continue;
@@ -90,14 +106,14 @@ NearestPoint nearest_on_heightfield(const Heightfield& field, terrain::Diagonal 
       look_at_cell(query, field, diagonal, node.i, node.j);
       continue;
     }
-    const int level = node.level - 1;
-    const int columns = level > 0 ? pyramid.columns(level) : field.cell_columns();
-    const int rows = level > 0 ? pyramid.rows(level) : field.cell_rows();
+    const int below = node.level - 1;
+    const int columns = below > 0 ? pyramid.columns(below) : field.cell_columns();
+    const int rows = below > 0 ? pyramid.rows(below) : field.cell_rows();
     std::array<Node, 4> children;
     std::size_t some = 0;
     for (int j = 2 * node.j; j < std::min(2 * node.j + 2, rows); ++j) {
       for (int i = 2 * node.i; i < std::min(2 * node.i + 2, columns); ++i) {
-        const Node child = make_node(query, field, pyramid, level, i, j);
+        const Node child = make_node(query, field, pyramid, below, i, j);
         if (child.distance_squared < query.best_squared) children[some++] = child;
       }
     }
