@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/check.h"
 #include "core/parallel.h"
+#include "reference/closed_triangle.h"
 
 namespace plumb::reference {
 namespace {
@@ -34,7 +36,12 @@ struct Walk {
   double t_min, t_max;
   double height_slack;  // more than the roundings of z + t * dz and of a height between samples
 
+  double place_slack;  // more than the roundings of u + t * du, cells
+  Ray ray;             // as given, for what is decided without walking
+
   RayHit best;
+  bool uncertain =
+      false;  // something in the cell at hand is nearer to an edge than rounding can tell
   // On which side of the surface the ray was when last seen, and at which t: 1 above, -1 below, 0
   // unknown. A cell that begins at that very t on the other side is entered through the surface
   // (two roundings of the same edge).
@@ -101,6 +108,9 @@ void meet_triangle(Walk& walk, const Plane& plane, int i, int j, double from, do
            plane.at((walk.u + t * walk.du) - i, (walk.v + t * walk.dv) - j);
   };
   const double g_from = above(from), g_to = above(to);
+  const double slack =
+      walk.height_slack + walk.place_slack * (std::abs(plane.across) + std::abs(plane.up));
+  if (std::abs(g_from) <= slack || std::abs(g_to) <= slack) walk.uncertain = true;
   const bool entered_through =
       walk.side_t == from && ((walk.side > 0 && g_from < 0.0) || (walk.side < 0 && g_from > 0.0));
   if (g_from == 0.0 || entered_through) {
@@ -113,46 +123,68 @@ void meet_triangle(Walk& walk, const Plane& plane, int i, int j, double from, do
   walk.side_t = to;
 }
 
-void meet_cell(Walk& walk, const Heightfield& field, Diagonal diagonal, int i, int j) {
-  const Interval t = walk.inside(i, j, i + 1, j + 1);
-  if (!(t.low <= t.high) || t.low > walk.best.t) return;
-  const Cell cell(field, diagonal, i, j);
-  const std::uint32_t first = terrain::triangle_index(field.cell_columns(), i, j, 0);
+// More than the roundings of two divisions by which grid lines are met.
+double t_slack(const Interval& t) {
+  return 8.0 * kEpsilon * std::max(std::abs(t.low), std::abs(t.high));
+}
+
+// The ray through a cell from t.low to t.high, cut in two by the cell's diagonal.
+void walk_through(Walk& walk, const Cell& cell, int i, int j, const Interval& t,
+                  std::uint32_t first) {
   const auto side = [&](double at) {
     return cell.side_of_diagonal((walk.u + at * walk.du) - i, (walk.v + at * walk.dv) - j);
   };
-  const double d_low = side(t.low), d_high = side(t.high);
   const auto meet = [&](int half, double from, double to) {
     meet_triangle(walk, cell.half[static_cast<std::size_t>(half)], i, j, from, to,
                   first + static_cast<std::uint32_t>(half));
   };
-  // A triangle that the ray leaves at once or never enters but by a point; the side is the other
-  // triangle's to tell.
-  const auto touch = [&](int half, double at) {
-    const int side_before = walk.side;
-    const double side_t_before = walk.side_t;
-    meet(half, at, at);
-    walk.side = side_before;
-    walk.side_t = side_t_before;
-  };
-  if (d_low == 0.0 && d_high == 0.0) {  // along the diagonal: both triangles share these points
-    meet(0, t.low, t.high);
-    meet(1, t.low, t.high);
-  } else if (d_low >= 0.0 && d_high >= 0.0) {
-    if (d_low == 0.0) meet(1, t.low, t.low);
-    meet(0, t.low, t.high);
-    if (d_high == 0.0) touch(1, t.high);
-  } else if (d_low <= 0.0 && d_high <= 0.0) {
-    if (d_low == 0.0) meet(0, t.low, t.low);
-    meet(1, t.low, t.high);
-    if (d_high == 0.0) touch(0, t.high);
-  } else {
-    const double cut =
-        std::clamp(t.low + (t.high - t.low) * (d_low / (d_low - d_high)), t.low, t.high);
-    const int first_half = d_low > 0.0 ? 0 : 1;
-    meet(first_half, t.low, cut);
-    meet(1 - first_half, cut, t.high);
+  const double d_low = side(t.low), d_high = side(t.high);
+  if (std::min(std::abs(d_low), std::abs(d_high)) <= walk.place_slack) walk.uncertain = true;
+  if ((d_low >= 0.0 && d_high >= 0.0) || (d_low <= 0.0 && d_high <= 0.0)) {
+    meet(d_low + d_high >= 0.0 ? 0 : 1, t.low, t.high);
+    return;
   }
+  const double cut =
+      std::clamp(t.low + (t.high - t.low) * (d_low / (d_low - d_high)), t.low, t.high);
+  const int first_half = d_low > 0.0 ? 0 : 1;
+  meet(first_half, t.low, cut);
+  meet(1 - first_half, cut, t.high);
+}
+
+// Both triangles as closed sets, without the walk's roundings.
+void touch(Walk& walk, const Heightfield& field, bool north_east, int i, int j,
+           std::uint32_t first) {
+  const auto corner = [&](int a, int b) {
+    return glm::dvec3((i + a) * field.dx_m, (j + b) * field.dy_m, field.heights_m(i + a, j + b)) -
+           walk.ray.origin_m;
+  };
+  const glm::dvec3 sw = corner(0, 0), se = corner(1, 0), nw = corner(0, 1), ne = corner(1, 1);
+  const auto test = [&](int half, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    if (std::isnan(a.z + b.z + c.z)) return;
+    const double t =
+        meet_closed_triangle(walk.ray.direction, a, b, c, walk.ray.t_min, walk.ray.t_max);
+    if (t < kInfinity) walk.found(t, first + static_cast<std::uint32_t>(half));
+  };
+  test(0, sw, se, north_east ? ne : nw);
+  test(1, north_east ? sw : se, ne, nw);
+}
+
+void meet_cell(Walk& walk, const Heightfield& field, Diagonal diagonal, int i, int j) {
+  const Interval t = walk.inside(i, j, i + 1, j + 1);
+  const double slack = t_slack(t);
+  if (!(t.low <= t.high + slack) || t.low > walk.best.t + slack) return;
+  const Cell cell(field, diagonal, i, j);
+  const std::uint32_t first = terrain::triangle_index(field.cell_columns(), i, j, 0);
+  const RayHit before = walk.best;
+  const int side_before = walk.side_t == t.low ? walk.side : 0;
+  walk.uncertain = t.high - t.low <= slack;
+  if (t.low <= t.high) walk_through(walk, cell, i, j, t, first);
+  if (!walk.uncertain) return;
+  // Where rounding could decide, the triangles as closed sets do. Should they let a ray through
+  // that changed sides, what the walk found stands: nothing passes the surface unseen.
+  const RayHit walked = std::exchange(walk.best, before);
+  touch(walk, field, cell.north_east, i, j, first);
+  if (walk.best == before && side_before != 0 && walk.side == -side_before) walk.best = walked;
 }
 
 struct Node {
@@ -191,7 +223,8 @@ void descend(Walk& walk, const Heightfield& field, Diagonal diagonal,
     const int i1 = std::min((node.i + 1) << node.level, field.cell_columns());
     const int j1 = std::min((node.j + 1) << node.level, field.cell_rows());
     const Interval t = walk.inside(node.i << node.level, node.j << node.level, i1, j1);
-    if (!(t.low <= t.high) || t.low > walk.best.t) continue;
+    const double slack = t_slack(t);
+    if (!(t.low <= t.high + slack) || t.low > walk.best.t + slack) continue;
     if (passes_by(walk, pyramid.node(node.level, node.i, node.j), t)) continue;
     const int level = node.level - 1;
     const int columns = level > 0 ? pyramid.columns(level) : field.cell_columns();
@@ -239,6 +272,9 @@ RayHit cast_ray(const Heightfield& field, Diagonal diagonal, const HeightPyramid
   if (std::abs(walk.dv) < kStill * most) walk.dv = 0.0;
   walk.inverse_du = 1.0 / walk.du;
   walk.inverse_dv = 1.0 / walk.dv;
+  walk.ray = ray;
+  walk.place_slack =
+      16.0 * kEpsilon * (std::abs(walk.u) + std::abs(walk.v) + field.columns() + field.rows());
   walk.t_min = ray.t_min;
   walk.t_max = ray.t_max;
   // A point's height is rounded twice at magnitudes up to |z| + |heights|; a height between samples
