@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
 #include "audit/audit_json.h"
 #include "audit/audit_pictures.h"
 #include "core/atomic_file.h"
 #include "core/check.h"
+#include "core/parallel.h"
 #include "image/image_files.h"
 #include "report/html_page.h"
 
@@ -19,11 +18,6 @@ namespace plumb::audit {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<std::uint8_t> bytes_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 const char* yes_no(bool holds) { return holds ? "held" : "BROKEN"; }
 
@@ -182,6 +176,97 @@ double pixel_bound(const AuditResult& result) {
   return 0.0;
 }
 
+// A picture of the report: in the folder as a file, in the page with its note and, for a map, its
+// legend.
+struct Shown {
+  std::string file, name, note;  // no name: in the folder alone
+  image::Rgb8Image picture;
+  image::Rgb8Image legend = {};     // stands below it in the page
+  image::Rgb8Image in_folder = {};  // in its place in the folder, where not empty
+};
+
+Shown shown_map(const std::string& file, const std::string& name, ErrorMap map,
+                const std::string& title) {
+  return {file,
+          name,
+          title + ", in pixels.",
+          std::move(map.picture),
+          std::move(map.legend),
+          std::move(map.both)};
+}
+
+std::vector<Shown> gallery(const AuditResult& result, const AuditSubject& subject,
+                           const DrawnSurface& surface, const HeightfieldTruth& truth) {
+  const image::Rgb8Image true_picture = truth_picture(result, truth, subject.camera);
+  const image::Rgb8Image drawn = drawn_picture(result, truth, surface, subject.camera);
+  const double bound = pixel_bound(result);
+  const std::string vertical = "Distance on screen to the truth above or below";
+  ErrorMap errors = error_map(result, result.pixels.vertical_px, vertical, bound);
+  std::vector<Shown> shown;
+  shown.push_back({"truth.png", "truth", "Rays against the full-detail surface.", true_picture});
+  shown.push_back({"drawn.png", "drawn", "What the method draws.", drawn});
+  shown.push_back({"difference.png", "difference", "Colours apart, four times as strong.",
+                   difference_picture(true_picture, drawn)});
+  shown.push_back({"summary.png", "", "", side_by_side({true_picture, drawn, errors.picture})});
+  shown.push_back(shown_map("pixel-error.png", "pixel error", std::move(errors), vertical));
+  if (!result.nearest.forward_px.empty()) {
+    const std::string nearest = "Distance on screen to the nearest point of the truth";
+    shown.push_back(shown_map("nearest-error.png", "nearest",
+                              error_map(result, result.nearest.forward_px, nearest, bound),
+                              nearest));
+  }
+  shown.push_back({"triangles.png", "triangles",
+                   "Each triangle outlined; the lighter, the coarser its level.",
+                   triangles_picture(result, surface)});
+  shown.push_back({"coverage.png", "coverage",
+                   "Dark: must be terrain; light: must be sky; between: either. Red: hole; "
+                   "magenta: overshoot; orange: see-through.",
+                   coverage_picture(result)});
+  return shown;
+}
+
+std::vector<std::uint8_t> png_of(const image::Rgb8Image& picture) {
+  if (picture.rgb.empty()) return {};
+  const std::string bytes = image::png_bytes(picture);
+  return {bytes.begin(), bytes.end()};
+}
+
+// Writes the pictures into the folder and gives those of the page; compressing them is most of a
+// report's time.
+report::Viewer write_gallery(const fs::path& folder, const std::vector<Shown>& gallery,
+                             const AuditResult& result) {
+  std::vector<report::ViewerImage> images(gallery.size());
+  parallel_for(static_cast<std::int64_t>(gallery.size()), 1, [&](std::int64_t k) {
+    const Shown& shown = gallery[static_cast<std::size_t>(k)];
+    image::write_png(folder / shown.file,
+                     shown.in_folder.rgb.empty() ? shown.picture : shown.in_folder);
+    if (shown.name.empty()) return;
+    images[static_cast<std::size_t>(k)] = {shown.name, shown.note, png_of(shown.picture),
+                                           png_of(shown.legend)};
+  });
+  std::erase_if(images, [](const report::ViewerImage& picture) { return picture.name.empty(); });
+  return {"pictures", "Truth, picture and error", result.drawn.width_px, result.drawn.height_px,
+          std::move(images)};
+}
+
+report::HtmlPage page_of(const AuditResult& result, const AuditSubject& subject,
+                         const DrawnSurface& surface, const report::Viewer& viewer,
+                         const std::string& json) {
+  report::HtmlPage page(fmt::format("{} at {} on {}", subject.method, to_text(subject.tolerance),
+                                    subject.field->provenance.source));
+  page.add_verdict(result.holds() ? report::Verdict::Held : report::Verdict::Broken,
+                   verdict_sentence(result));
+  page.add_table(claims_table(result));
+  page.add_viewer(viewer);
+  page.add_offenders(offender_list(result, subject));
+  page.add_table(errors_table(result));
+  page.add_key_values("Coverage and topology", shape_entries(result));
+  page.add_key_values("What was audited", subject_entries(result, subject));
+  for (const std::string& note : surface.notes) page.add_paragraph(note);
+  page.add_details("JSON of this run", json);
+  return page;
+}
+
 }  // namespace
 
 std::string short_number(double value) {
@@ -221,71 +306,14 @@ std::vector<std::string> write_report(const fs::path& folder, const AuditResult&
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) input_error("cannot make the folder '{}': {}", folder.string(), error.message());
-  std::vector<std::string> files;
-  const auto png = [&](const std::string& name, const image::Rgb8Image& picture) {
-    image::write_png(folder / name, picture);
-    files.push_back(name);
-    return bytes_of(folder / name);
-  };
-  const image::Rgb8Image true_picture = truth_picture(result, truth, subject.camera);
-  const image::Rgb8Image drawn = drawn_picture(result, truth, surface, subject.camera);
-  const double bound = pixel_bound(result);
+  const std::vector<Shown> pictures = gallery(result, subject, surface, truth);
+  const report::Viewer viewer = write_gallery(folder, pictures, result);
   const std::string json = audit_json(result, subject);
-
-  report::Viewer viewer{
-      "pictures", "Truth, picture and error", result.drawn.width_px, result.drawn.height_px, {}};
-  viewer.images.push_back(
-      {"truth", "Rays against the full-detail surface.", png("truth.png", true_picture), {}});
-  viewer.images.push_back({"drawn", "What the method draws.", png("drawn.png", drawn), {}});
-  viewer.images.push_back({"difference",
-                           "Colours apart, four times as strong.",
-                           png("difference.png", difference_picture(true_picture, drawn)),
-                           {}});
-  // A map stands in the page as picture and legend, in the folder as one file with both.
-  const auto add_map = [&](const std::string& name, const std::string& file,
-                           const std::vector<float>& errors, const std::string& title) {
-    const ErrorMap map = error_map(result, errors, title, bound);
-    auto picture = png(file, map.picture);
-    auto legend = png(file, map.legend);
-    files.resize(files.size() - 2);
-    png(file, map.both);
-    viewer.images.push_back({name, title + ", in pixels.", std::move(picture), std::move(legend)});
-  };
-  add_map("pixel error", "pixel-error.png", result.pixels.vertical_px,
-          "Distance on screen to the truth above or below");
-  if (!result.nearest.forward_px.empty()) {
-    add_map("nearest", "nearest-error.png", result.nearest.forward_px,
-            "Distance on screen to the nearest point of the truth");
-  }
-  viewer.images.push_back({"triangles",
-                           "Each triangle outlined; the lighter, the coarser its level.",
-                           png("triangles.png", triangles_picture(result, surface)),
-                           {}});
-  png("summary.png",
-      side_by_side(
-          {true_picture, drawn, error_map(result, result.pixels.vertical_px, "", bound).picture}));
-  viewer.images.push_back({"coverage",
-                           "Dark: must be terrain; light: must be sky; between: either. Red: hole; "
-                           "magenta: overshoot; orange: see-through.",
-                           png("coverage.png", coverage_picture(result)),
-                           {}});
-
-  report::HtmlPage page(fmt::format("{} at {} on {}", subject.method, to_text(subject.tolerance),
-                                    subject.field->provenance.source));
-  page.add_verdict(result.holds() ? report::Verdict::Held : report::Verdict::Broken,
-                   verdict_sentence(result));
-  page.add_table(claims_table(result));
-  page.add_viewer(viewer);
-  page.add_offenders(offender_list(result, subject));
-  page.add_table(errors_table(result));
-  page.add_key_values("Coverage and topology", shape_entries(result));
-  page.add_key_values("What was audited", subject_entries(result, subject));
-  for (const std::string& note : surface.notes) page.add_paragraph(note);
-  page.add_details("JSON of this run", json);
   write_file_atomically(folder / "audit.json", json);
-  write_file_atomically(folder / "report.html", page.text());
-  files.push_back("audit.json");
-  files.insert(files.begin(), "report.html");
+  write_file_atomically(folder / "report.html",
+                        page_of(result, subject, surface, viewer, json).text());
+  std::vector<std::string> files{"report.html", "audit.json"};
+  for (const Shown& shown : pictures) files.push_back(shown.file);
   return files;
 }
 

@@ -172,7 +172,7 @@ AovImage read_exr(const fs::path& path) {
   return image;
 }
 
-void write_png(const fs::path& path, const Rgb8Image& image) {
+std::string png_bytes(const Rgb8Image& image) {
   require(image.width_px >= 1 && image.height_px >= 1,
           "an image must be at least 1 x 1 pixels, got {} x {}", image.width_px, image.height_px);
   const std::size_t bytes = static_cast<std::size_t>(image.width_px) * image.height_px * 3;
@@ -180,7 +180,11 @@ void write_png(const fs::path& path, const Rgb8Image& image) {
           image.height_px, bytes, image.rgb.size());
   OIIO::ImageSpec spec(image.width_px, image.height_px, 3, OIIO::TypeDesc::UINT8);
   spec.attribute("oiio:ColorSpace", "sRGB");
-  write_file_atomically(path, encoded(path, "png", spec, image.rgb.data()));
+  return encoded("picture.png", "png", spec, image.rgb.data());
+}
+
+void write_png(const fs::path& path, const Rgb8Image& image) {
+  write_file_atomically(path, png_bytes(image));
 }
 
 void write_png(const fs::path& path, const ColourImage& image) { write_png(path, to_srgb8(image)); }

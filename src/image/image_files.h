@@ -29,6 +29,8 @@ AovImage read_exr(const std::filesystem::path& path);
 /// InputError with path and cause.
 void write_png(const std::filesystem::path& path, const Rgb8Image& image);
 void write_png(const std::filesystem::path& path, const ColourImage& image);
+/// The bytes of that file.
+std::string png_bytes(const Rgb8Image& image);
 
 /// An 8-bit picture in any format that OpenImageIO reads; grey becomes RGB, alpha is dropped
 /// without being multiplied in. Throws InputError if it cannot be read or is not 8-bit.
