@@ -48,8 +48,8 @@ SampleErrors sample_errors(const HeightfieldTruth& truth, const HitImage& true_h
 /// piecewise linear surfaces can be largest.
 struct EdgeErrors {
   double max_m = 0.0;
-  double max_px = 0.0;            // of places in the frustum
-  double pixels_per_metre = 0.0;  // on screen, where that is
+  double max_px = 0.0;                     // of places in the frustum
+  double pixels_per_metre = 0.0;           // on screen, where that is
   glm::dvec3 worst_m{0.0}, worst_px{0.0};  // places on the truth, relative to the terrain's origin
   std::uint32_t triangle_m = kNoPrimitive, triangle_px = kNoPrimitive;
   std::int64_t places = 0;  // looked at

@@ -1,0 +1,88 @@
+#include "audit/audit_gallery.h"
+
+#include <utility>
+
+#include "audit/audit_pictures.h"
+#include "core/parallel.h"
+#include "image/image_files.h"
+
+namespace plumb::audit {
+namespace {
+
+// The bound that a map of pixel errors is coloured by: the method's claim, or else the user's
+// limit.
+double pixel_bound(const AuditResult& result) {
+  for (const ClaimResult& c : result.claims) {
+    if (c.claim.unit == Unit::Pixel && c.label == name_of(Measure::PixelError))
+      return c.claim.bound;
+  }
+  return 0.0;
+}
+
+Shown shown_map(const std::string& file, const std::string& name, ErrorMap map,
+                const std::string& title) {
+  return {file,
+          name,
+          title + ", in pixels.",
+          std::move(map.picture),
+          std::move(map.legend),
+          std::move(map.both)};
+}
+
+std::vector<std::uint8_t> png_of(const image::Rgb8Image& picture) {
+  if (picture.rgb.empty()) return {};
+  const std::string bytes = image::png_bytes(picture);
+  return {bytes.begin(), bytes.end()};
+}
+
+}  // namespace
+
+std::vector<Shown> gallery(const AuditResult& result, const AuditSubject& subject,
+                           const DrawnSurface& surface, const HeightfieldTruth& truth) {
+  const image::Rgb8Image true_picture = truth_picture(result, truth, subject.camera);
+  const image::Rgb8Image drawn = drawn_picture(result, truth, surface, subject.camera);
+  const double bound = pixel_bound(result);
+  const std::string vertical = "Distance on screen to the truth above or below";
+  ErrorMap errors = error_map(result, result.pixels.vertical_px, vertical, bound);
+  std::vector<Shown> shown;
+  shown.push_back({"truth.png", "truth", "Rays against the full-detail surface.", true_picture});
+  shown.push_back({"drawn.png", "drawn", "What the method draws.", drawn});
+  shown.push_back({"difference.png", "difference", "Colours apart, four times as strong.",
+                   difference_picture(true_picture, drawn)});
+  shown.push_back({"summary.png", "", "", side_by_side({true_picture, drawn, errors.picture})});
+  shown.push_back(shown_map("pixel-error.png", "pixel error", std::move(errors), vertical));
+  if (!result.nearest.forward_px.empty()) {
+    const std::string nearest = "Distance on screen to the nearest point of the truth";
+    shown.push_back(shown_map("nearest-error.png", "nearest",
+                              error_map(result, result.nearest.forward_px, nearest, bound),
+                              nearest));
+  }
+  shown.push_back({"triangles.png", "triangles",
+                   "Each triangle outlined; the lighter, the coarser its level.",
+                   triangles_picture(result, surface)});
+  shown.push_back({"coverage.png", "coverage",
+                   "Dark: must be terrain; light: must be sky; between: either. Red: hole; "
+                   "magenta: overshoot; orange: see-through.",
+                   coverage_picture(result)});
+  return shown;
+}
+
+// Writes the pictures into the folder and gives those of the page; compressing them is most of a
+// report's time.
+report::Viewer write_gallery(const std::filesystem::path& folder, const std::vector<Shown>& gallery,
+                             const AuditResult& result) {
+  std::vector<report::ViewerImage> images(gallery.size());
+  parallel_for(static_cast<std::int64_t>(gallery.size()), 1, [&](std::int64_t k) {
+    const Shown& shown = gallery[static_cast<std::size_t>(k)];
+    image::write_png(folder / shown.file,
+                     shown.in_folder.rgb.empty() ? shown.picture : shown.in_folder);
+    if (shown.name.empty()) return;
+    images[static_cast<std::size_t>(k)] = {shown.name, shown.note, png_of(shown.picture),
+                                           png_of(shown.legend)};
+  });
+  std::erase_if(images, [](const report::ViewerImage& picture) { return picture.name.empty(); });
+  return {"pictures", "Truth, picture and error", result.drawn.width_px, result.drawn.height_px,
+          std::move(images)};
+}
+
+}  // namespace plumb::audit
