@@ -1,6 +1,7 @@
 #include "audit/topology.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <span>
@@ -36,7 +37,7 @@ class Examination {
     result_.triangles = static_cast<std::int64_t>(mesh_.triangles.size());
     result_.vertices = static_cast<std::int64_t>(mesh_.vertices_m.size());
     examine_triangles();
-    for (std::uint32_t low = 0; low < edges_.vertices(); ++low) examine_edges_of(low);
+    examine_edges();
     examine_vertices();
     find_t_junctions();
     return std::move(result_);
@@ -51,43 +52,88 @@ class Examination {
         {kind, at, triangle, triangle == kNoPrimitive ? -1 : patch_of(surface_, triangle)});
   }
 
+  enum class Shape : char { Sound, Degenerate, Folded };
+
+  Shape shape_of(std::uint32_t t) const {
+    const Triangle& corners = mesh_.triangles[t];
+    const glm::dvec3 a = position(corners[0]), b = position(corners[1]), c = position(corners[2]);
+    const glm::dvec3 normal = area_normal(a, b, c);
+    if (normal == glm::dvec3(0.0)) return Shape::Degenerate;
+    return normal.z < 0.0 && FlatTriangle(a, b, c).is_flat() ? Shape::Folded : Shape::Sound;
+  }
+
   void examine_triangles() {
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+    std::vector<Shape> shapes(mesh_.triangles.size());
+    parallel_for(static_cast<std::int64_t>(shapes.size()), 1 << 14, [&](std::int64_t t) {
+      shapes[static_cast<std::size_t>(t)] = shape_of(static_cast<std::uint32_t>(t));
+    });
+    for (std::uint32_t t = 0; t < shapes.size(); ++t) {
+      if (shapes[t] == Shape::Sound) continue;
       const Triangle& corners = mesh_.triangles[t];
-      const glm::dvec3 a = position(corners[0]), b = position(corners[1]), c = position(corners[2]);
-      const glm::dvec3 normal = area_normal(a, b, c);
-      const FlatTriangle flat(a, b, c);
-      if (normal == glm::dvec3(0.0)) {
+      if (shapes[t] == Shape::Degenerate) {
         ++result_.degenerate_triangles;
-        list("degenerate", a, t);
-      } else if (flat.is_flat() && normal.z < 0.0) {
+        list("degenerate", position(corners[0]), t);
+      } else {
         ++result_.folded_triangles;
-        list("folded", (a + b + c) / 3.0, t);
+        list("folded", (position(corners[0]) + position(corners[1]) + position(corners[2])) / 3.0,
+             t);
       }
     }
   }
 
-  void examine_edges_of(std::uint32_t low) {
+  // What the edges from a run of vertices are like, in their order.
+  struct EdgeRun {
+    std::int64_t boundary = 0;
+    int lod_jump = 0;
+    std::vector<OpenEdge> open, non_manifold;
+  };
+
+  static EdgeRun joined(EdgeRun a, const EdgeRun& b) {
+    a.boundary += b.boundary;
+    a.lod_jump = std::max(a.lod_jump, b.lod_jump);
+    a.open.insert(a.open.end(), b.open.begin(), b.open.end());
+    a.non_manifold.insert(a.non_manifold.end(), b.non_manifold.begin(), b.non_manifold.end());
+    return a;
+  }
+
+  void examine_edges() {
+    const EdgeRun all = parallel_ordered_reduce(
+        edges_.vertices(), 1 << 14, EdgeRun{},
+        [&](std::int64_t begin, std::int64_t end, EdgeRun run) {
+          for (std::int64_t low = begin; low < end; ++low)
+            examine_edges_of(static_cast<std::uint32_t>(low), run);
+          return run;
+        },
+        joined);
+    result_.boundary_edges = all.boundary;
+    result_.largest_lod_jump = all.lod_jump;
+    result_.open_edges = static_cast<std::int64_t>(all.open.size());
+    result_.non_manifold_edges = static_cast<std::int64_t>(all.non_manifold.size());
+    const auto list_all = [&](const char* kind, const std::vector<OpenEdge>& edges) {
+      for (const OpenEdge& edge : edges)
+        list(kind, 0.5 * (position(edge.low) + position(edge.high)), edge.triangle);
+    };
+    list_all("open edge", all.open);
+    list_all("non-manifold edge", all.non_manifold);
+    open_ = all.open;
+  }
+
+  void examine_edges_of(std::uint32_t low, EdgeRun& run) const {
     const auto sides = edges_.from(low);
     for (std::size_t k = 0; k < sides.size();) {
       std::size_t end = k + 1;
       while (end < sides.size() && sides[end].high == sides[k].high) ++end;
       const std::size_t count = end - k;
+      const OpenEdge edge{low, sides[k].high, sides[k].triangle};
       if (count == 1) {
-        ++result_.boundary_edges;
-        if (is_open(low, sides[k].high)) {
-          ++result_.open_edges;
-          open_.push_back({low, sides[k].high, sides[k].triangle});
-          list("open edge", 0.5 * (position(low) + position(sides[k].high)), sides[k].triangle);
-        }
+        ++run.boundary;
+        if (is_open(low, edge.high)) run.open.push_back(edge);
       } else if (count > 2 || sides[k].rising == sides[k + 1].rising) {
-        ++result_.non_manifold_edges;
-        list("non-manifold edge", 0.5 * (position(low) + position(sides[k].high)),
-             sides[k].triangle);
+        run.non_manifold.push_back(edge);
       } else if (!surface_.triangle_lod.empty()) {
         const int jump =
             surface_.triangle_lod[sides[k].triangle] - surface_.triangle_lod[sides[k + 1].triangle];
-        result_.largest_lod_jump = std::max(result_.largest_lod_jump, std::abs(jump));
+        run.lod_jump = std::max(run.lod_jump, std::abs(jump));
       }
       k = end;
     }
@@ -139,30 +185,30 @@ class Examination {
   // Fans of triangles around a vertex: each triangle joins its neighbours by their two other
   // corners.
   int fans_at(std::uint32_t v, std::span<const std::uint32_t> triangles) const {
-    if (triangles.size() < 2) return static_cast<int>(triangles.size());
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> rims;
-    for (const std::uint32_t t : triangles) {
-      const Triangle& c = mesh_.triangles[t];
-      const std::size_t k = c[0] == v ? 0 : c[1] == v ? 1 : 2;
-      rims.emplace_back(c[(k + 1) % 3], c[(k + 2) % 3]);
+    constexpr std::size_t kFew =
+        16;  // vertices of more triangles are rare, and take memory of their own
+    using Rim = std::pair<std::uint32_t, std::uint32_t>;
+    const std::size_t count = triangles.size();
+    std::array<Rim, kFew> few;
+    std::vector<Rim> many(count > kFew ? count : 0);
+    const std::span<Rim> rims =
+        count > kFew ? std::span<Rim>(many) : std::span<Rim>(few).first(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const Triangle& c = mesh_.triangles[triangles[k]];
+      const std::size_t own = c[0] == v ? 0 : c[1] == v ? 1 : 2;
+      rims[k] = {c[(own + 1) % 3], c[(own + 2) % 3]};
     }
-    std::vector<char> taken(rims.size(), 0);
+    // The fan at hand is [begin, end); what touches a triangle of it is moved to its end.
     int fans = 0;
-    for (std::size_t seed = 0; seed < rims.size(); ++seed) {
-      if (taken[seed]) continue;
+    for (std::size_t begin = 0, end = 0; begin < count; begin = end) {
       ++fans;
-      std::vector<std::size_t> grow{seed};
-      taken[seed] = 1;
-      while (!grow.empty()) {
-        const auto rim = rims[grow.back()];
-        grow.pop_back();
-        for (std::size_t other = 0; other < rims.size(); ++other) {
-          const auto& [p, q] = rims[other];
-          if (taken[other] ||
-              (p != rim.first && p != rim.second && q != rim.first && q != rim.second))
-            continue;
-          taken[other] = 1;
-          grow.push_back(other);
+      end = begin + 1;
+      for (std::size_t grown = begin; grown < end; ++grown) {
+        const Rim rim = rims[grown];
+        for (std::size_t other = end; other < count; ++other) {
+          const auto [p, q] = rims[other];
+          if (p != rim.first && p != rim.second && q != rim.first && q != rim.second) continue;
+          std::swap(rims[other], rims[end++]);
         }
       }
     }
