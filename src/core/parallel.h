@@ -51,13 +51,16 @@ template <class Value, class Accumulate, class Join>
 Value parallel_ordered_reduce(std::int64_t count, std::int64_t grain, const Value& identity,
                               const Accumulate& accumulate, const Join& join) {
 #ifdef PLUMB_PLAIN_THREADS
-  std::vector<Value> parts(static_cast<std::size_t>((count + grain - 1) / grain), identity);
+  struct Part {  // no vector of bool, whose neighbours share a word
+    Value value;
+  };
+  std::vector<Part> parts(static_cast<std::size_t>((count + grain - 1) / grain), Part{identity});
   plain_threads::for_pieces(
       count, grain, [&](std::int64_t piece, std::int64_t begin, std::int64_t end) {
-        parts[static_cast<std::size_t>(piece)] = accumulate(begin, end, identity);
+        parts[static_cast<std::size_t>(piece)].value = accumulate(begin, end, identity);
       });
   Value sum = identity;
-  for (const Value& part : parts) sum = join(sum, part);
+  for (const Part& part : parts) sum = join(sum, part.value);
   return sum;
 #else
   return tbb::parallel_deterministic_reduce(
