@@ -19,11 +19,6 @@ namespace fs = std::filesystem;
 
 const char* yes_no(bool holds) { return holds ? "held" : "BROKEN"; }
 
-std::string with_unit(double value, Unit unit) {
-  const std::string number = short_number(value);
-  return unit == Unit::Count ? number : number + " " + name_of(unit);
-}
-
 report::Table claims_table(const AuditResult& result) {
   report::Table table{"Claims and limits",
                       {{"measure"},
@@ -188,6 +183,11 @@ std::string short_number(double value) {
   if (std::isnan(value)) return "-";
   if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
   return fmt::format("{:.4g}", value);
+}
+
+std::string with_unit(double value, Unit unit) {
+  const std::string number = short_number(value);
+  return unit == Unit::Count ? number : number + " " + name_of(unit);
 }
 
 std::string verdict_sentence(const AuditResult& result) {

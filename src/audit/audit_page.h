@@ -31,5 +31,7 @@ std::string verdict_sentence(const AuditResult& result);
 
 /// A number as tables show it: four digits, "inf", "-" for none.
 std::string short_number(double value);
+/// The same with its unit behind it: "0.98 px"; a count has none.
+std::string with_unit(double value, Unit unit);
 
 }  // namespace plumb::audit

@@ -39,11 +39,6 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-std::string with_unit(double value, Unit unit) {
-  return unit == Unit::Count ? audit::short_number(value)
-                             : audit::short_number(value) + " " + name_of(unit);
-}
-
 Rows claim_rows(const AuditResult& result) {
   Rows rows;
   for (const audit::ClaimResult& c : result.claims) {
@@ -51,7 +46,8 @@ Rows claim_rows(const AuditResult& result) {
     rows.push_back({c.label,
                     c.claim.scope == Scope::Frame ? (c.is_limit ? "limit" : "frame")
                                                   : fmt::format("patch {}", c.claim.patch),
-                    with_unit(c.claim.bound, c.claim.unit), with_unit(c.measured, c.claim.unit),
+                    audit::with_unit(c.claim.bound, c.claim.unit),
+                    audit::with_unit(c.measured, c.claim.unit),
                     tightness ? audit::short_number(*tightness) : "-", std::to_string(c.violations),
                     c.holds ? "held" : "BROKEN"});
   }
@@ -112,10 +108,10 @@ std::string audit_text(const AuditResult& result) {
                     s.prepare_s, s.draw_s, s.raster_s, s.truth_s, s.measure_s)}});
   for (const audit::Offender& o : result.offenders) {
     if (result.holds() || o.x < 0) continue;
-    text +=
-        fmt::format("worst: {} {} at pixel ({}, {}), world ({:.8g}, {:.8g}, {:.7g}){}\n", o.what,
-                    with_unit(o.value, o.unit), o.x, o.y, o.world_m.x, o.world_m.y, o.world_m.z,
-                    o.patch >= 0 ? fmt::format(", patch {} ({})", o.patch, o.patch_name) : "");
+    text += fmt::format("worst: {} {} at pixel ({}, {}), world ({:.8g}, {:.8g}, {:.7g}){}\n",
+                        o.what, audit::with_unit(o.value, o.unit), o.x, o.y, o.world_m.x,
+                        o.world_m.y, o.world_m.z,
+                        o.patch >= 0 ? fmt::format(", patch {} ({})", o.patch, o.patch_name) : "");
     break;
   }
   return text + "\n" + audit::verdict_sentence(result) + "\n";
