@@ -21,3 +21,17 @@ function(plumb_module NAME)
     install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumb/${below}/${folder} COMPONENT devel)
   endforeach()
 endfunction()
+
+# plumb_kernel(avx2|avx512 SOURCES...)
+#
+# Compiles these files of the calling module for newer processors; core/instruction_set.h says whether they may be called.
+# No FMA: kernels have the bits of plain arithmetic.
+function(plumb_kernel SET)
+  set(avx2 -mavx2 -mno-fma)
+  set(avx512 -mavx512f -mavx512dq -mavx512vl -mavx512bw)
+  set(flags ${${SET}})
+  if(SET STREQUAL "avx512" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    list(APPEND flags -Wno-maybe-uninitialized)  # gcc 12's own intrinsics
+  endif()
+  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${flags}")
+endfunction()

@@ -23,53 +23,58 @@ HeightRange range_of_samples(const terrain::Heightfield& field, int i0, int j0, 
   return range;
 }
 
-Grid<HeightRange> finest_level(const terrain::Heightfield& field) {
-  const int cells_x = field.cell_columns(), cells_y = field.cell_rows();
-  Grid<HeightRange> level((cells_x + 1) / 2, (cells_y + 1) / 2, kNone);
-  parallel_for(level.rows(), 16, [&](std::int64_t row) {
-    const int j = static_cast<int>(row);
-    for (int i = 0; i < level.columns(); ++i) {
-      level(i, j) = range_of_samples(field, 2 * i, 2 * j, std::min(2 * i + 2, cells_x),
-                                     std::min(2 * j + 2, cells_y));
-    }
-  });
-  return level;
-}
-
-Grid<HeightRange> coarser_level(const Grid<HeightRange>& fine) {
-  Grid<HeightRange> level((fine.columns() + 1) / 2, (fine.rows() + 1) / 2, kNone);
-  parallel_for(level.rows(), 16, [&](std::int64_t row) {
-    const int j = static_cast<int>(row);
-    for (int i = 0; i < level.columns(); ++i) {
-      HeightRange range = kNone;
-      for (int b = 2 * j; b < std::min(2 * j + 2, fine.rows()); ++b) {
-        for (int a = 2 * i; a < std::min(2 * i + 2, fine.columns()); ++a) {
-          range.low = std::min(range.low, fine(a, b).low);
-          range.high = std::max(range.high, fine(a, b).high);
-        }
-      }
-      level(i, j) = range;
-    }
-  });
-  return level;
-}
-
 }  // namespace
 
+void HeightPyramid::lay_out(int cell_columns, int cell_rows) {
+  std::size_t count = 0;
+  int columns = cell_columns, rows = cell_rows;
+  do {
+    columns = (columns + 1) / 2;
+    rows = (rows + 1) / 2;
+    levels_.push_back({count, columns, rows});
+    count += static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+  } while (columns > 1 || rows > 1);
+  ranges_.assign(count, kNone);
+}
+
+void HeightPyramid::fill_finest(const terrain::Heightfield& field) {
+  const Level level = levels_.front();
+  const int cells_x = field.cell_columns(), cells_y = field.cell_rows();
+  parallel_for(level.rows, 16, [&](std::int64_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < level.columns; ++i) {
+      at(level, i, j) = range_of_samples(field, 2 * i, 2 * j, std::min(2 * i + 2, cells_x),
+                                         std::min(2 * j + 2, cells_y));
+    }
+  });
+}
+
+void HeightPyramid::fill_coarser(const Level& fine, const Level& coarse) {
+  parallel_for(coarse.rows, 16, [&](std::int64_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < coarse.columns; ++i) {
+      HeightRange range = kNone;
+      for (int b = 2 * j; b < std::min(2 * j + 2, fine.rows); ++b) {
+        for (int a = 2 * i; a < std::min(2 * i + 2, fine.columns); ++a) {
+          range.low = std::min(range.low, at(fine, a, b).low);
+          range.high = std::max(range.high, at(fine, a, b).high);
+        }
+      }
+      at(coarse, i, j) = range;
+    }
+  });
+}
+
 HeightPyramid::HeightPyramid(const terrain::Heightfield& field) {
-  if (field.cell_columns() == 0 || field.cell_rows() == 0) {
-    levels_.emplace_back(1, 1, kNone);
-    return;
-  }
-  levels_.push_back(finest_level(field));
-  while (levels_.back().size() > 1) levels_.push_back(coarser_level(levels_.back()));
+  const bool has_cells = field.cell_columns() > 0 && field.cell_rows() > 0;
+  lay_out(has_cells ? field.cell_columns() : 1, has_cells ? field.cell_rows() : 1);
+  if (!has_cells) return;
+  fill_finest(field);
+  for (std::size_t k = 1; k < levels_.size(); ++k) fill_coarser(levels_[k - 1], levels_[k]);
 }
 
 std::int64_t HeightPyramid::bytes() const {
-  std::int64_t sum = 0;
-  for (const auto& level : levels_)
-    sum += static_cast<std::int64_t>(level.size() * sizeof(HeightRange));
-  return sum;
+  return static_cast<std::int64_t>(ranges_.size() * sizeof(HeightRange));
 }
 
 }  // namespace plumb::reference

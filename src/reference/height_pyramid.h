@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/grid.h"
 #include "terrain/heightfield.h"
 
 namespace plumb::reference {
@@ -27,16 +26,37 @@ class HeightPyramid {
   explicit HeightPyramid(const terrain::Heightfield& field);
 
   int top_level() const { return static_cast<int>(levels_.size()); }
-  int columns(int level) const { return levels_[static_cast<std::size_t>(level) - 1].columns(); }
-  int rows(int level) const { return levels_[static_cast<std::size_t>(level) - 1].rows(); }
+  int columns(int level) const { return of(level).columns; }
+  int rows(int level) const { return of(level).rows; }
   const HeightRange& node(int level, int i, int j) const {
-    return levels_[static_cast<std::size_t>(level) - 1](i, j);
+    const Level& l = of(level);
+    return ranges_[l.begin + static_cast<std::size_t>(j) * static_cast<std::size_t>(l.columns) +
+                   static_cast<std::size_t>(i)];
   }
-  const HeightRange& root() const { return levels_.back()(0, 0); }
+  const HeightRange& root() const { return ranges_.back(); }
   std::int64_t bytes() const;
 
+  /// All nodes, level 1 first, row by row; and where a level's begin.
+  const std::vector<HeightRange>& nodes() const { return ranges_; }
+  std::size_t begin(int level) const { return of(level).begin; }
+
  private:
-  std::vector<Grid<HeightRange>> levels_;  // levels_[k - 1] is level k
+  struct Level {
+    std::size_t begin;
+    int columns, rows;
+  };
+  const Level& of(int level) const { return levels_[static_cast<std::size_t>(level) - 1]; }
+  HeightRange& at(const Level& level, int i, int j) {
+    return ranges_[level.begin +
+                   static_cast<std::size_t>(j) * static_cast<std::size_t>(level.columns) +
+                   static_cast<std::size_t>(i)];
+  }
+  void lay_out(int cell_columns, int cell_rows);
+  void fill_finest(const terrain::Heightfield& field);
+  void fill_coarser(const Level& fine, const Level& coarse);
+
+  std::vector<HeightRange> ranges_;
+  std::vector<Level> levels_;  // levels_[k - 1] is level k
 };
 
 }  // namespace plumb::reference

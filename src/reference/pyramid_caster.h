@@ -12,6 +12,9 @@
 
 namespace plumb::reference {
 
+struct LaneScene;
+struct LaneRays;
+
 /// Casts rays at the full-detail triangles of a heightfield, a sheet that is seen from both sides.
 ///
 ///   (1) Watertight: a ray that passes from above the surface to below it hits, wherever it
@@ -46,6 +49,9 @@ class PyramidCaster {
   std::int64_t bytes() const { return pyramid_.bytes(); }
 
  private:
+  void cast_rect(const Camera& camera, const LaneScene& scene, LaneRays& rays, int x0, int y0,
+                 HitImage& image) const;
+
   const terrain::Heightfield& field_;
   terrain::Diagonal diagonal_;
   HeightPyramid pyramid_;

@@ -32,6 +32,11 @@ TEST(ExitStatus, IsTwoForWhatIsWrongWithTheCommandLine) {
   expect_one_error_line(run_plumb({"info", "generate:plane", "--preview", "a.jpg"}), ".png");
 }
 
+TEST(ExitStatus, IsTwoForAnInstructionSetThatIsNone) {
+  expect_one_error_line(run_plumb({"--version"}, {.environment = {{"PLUMB_ISA", "mmx"}}}),
+                        "PLUMB_ISA must be sse2, avx2 or avx512, got 'mmx'");
+}
+
 TEST(ExitStatus, IsTwoForWhatIsWrongWithTheInput) {
   expect_one_error_line(run_plumb({"info", "no-such-file.tif"}), "no-such-file.tif");
   expect_one_error_line(run_plumb({"info", "generate:planet"}), "planet");

@@ -11,6 +11,7 @@
 
 #include "command.h"
 #include "core/check.h"
+#include "core/instruction_set.h"
 #include "version.h"
 
 namespace plumb::tool {
@@ -60,6 +61,7 @@ int fail(std::string_view message) {
 }
 
 int act(const std::vector<Command>& commands, const Invocation& invocation) {
+  instruction_set();  // a wrong PLUMB_ISA is an error whether or not a kernel runs
   const Request request = read_command_line(commands, invocation);
   int status = 0;
   if (request.version) {

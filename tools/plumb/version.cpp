@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "build_versions.h"  // generated
+#include "core/instruction_set.h"
 
 namespace plumb::tool {
 
@@ -19,7 +20,7 @@ std::string version_text() {
     text += fmt::format("{}{} {}", first ? "" : ", ", library.name, library.version);
     first = false;
   }
-  return text + fmt::format("\nkernels    {}\n", kKernels);
+  return text + fmt::format("\nkernels    {}\n", name_of(instruction_set()));
 }
 
 std::string version_json() {
@@ -30,7 +31,7 @@ std::string version_json() {
   json["build_type"] = kBuildType;
   for (const LibraryVersion& library : kLibraries)
     json["libraries"][library.name] = library.version;
-  json["kernels"] = kKernels;
+  json["kernels"] = name_of(instruction_set());
   return json.dump(2) + "\n";
 }
 

@@ -9,6 +9,7 @@
 #include "support/brute_force_caster.h"
 #include "support/hit_image_difference.h"
 #include "support/random_scene.h"
+#include "support/whole_number_scene.h"
 
 namespace plumb::reference {
 namespace {
@@ -57,36 +58,6 @@ TEST(LongCastersAgree, OnRandomTerrainsAndCameras) {
   EXPECT_GT(d.hits, d.pixels / 8) << to_text(d);
 }
 
-// Heights and spacings are small whole numbers here and so are the camera's, so that rays pass
-// exactly through samples, along grid lines and diagonals, within the planes of level cells, along
-// borders and past the corners of voids.
-Heightfield whole_number_field(Random& random) {
-  Heightfield field;
-  field.heights_m = Grid<float>(random.integer(2, 20), random.integer(2, 20));
-  field.dx_m = field.dy_m = 8.0;
-  for (float& height : field.heights_m.values()) {
-    height = random.chance(0.1) ? std::numeric_limits<float>::quiet_NaN()
-                                : static_cast<float>(8 * random.integer(0, 2));
-  }
-  return field;
-}
-
-Camera whole_number_camera(Random& random, const Heightfield& field, bool from_above) {
-  Camera camera;
-  camera.width_px = 65;
-  camera.height_px = 49;
-  camera.gamma_h = camera.gamma_v = 32.0;
-  camera.centre_px = {32.5, 24.5};  // a pixel's centre, so that a ray runs straight ahead
-  camera.near_m = 0.5;
-  camera.eye_m = {8.0 * random.integer(0, field.cell_columns()), -8.0, 8.0 * random.integer(0, 3)};
-  if (from_above) {
-    camera.eye_m = {camera.eye_m.x, 8.0 * random.integer(0, field.cell_rows()), 256.0 + 16.0};
-    camera.forward = {0.0, 0.0, -1.0};
-    camera.up = {0.0, 1.0, 0.0};
-  }
-  return camera;
-}
-
 struct AgainstTruth {
   HitImageDifference of_embree, of_pyramid;
 };
@@ -95,9 +66,9 @@ AgainstTruth compare_whole_number_scenes(int scenes, std::uint64_t seed) {
   Random random(seed);
   AgainstTruth total;
   for (int k = 0; k < scenes; ++k) {
-    const Heightfield field = whole_number_field(random);
+    const Heightfield field = test_support::whole_number_field(random);
     const Diagonal diagonal = kDiagonals[k % 3];
-    const Camera camera = whole_number_camera(random, field, k % 2 == 0);
+    const Camera camera = test_support::whole_number_camera(random, field, k % 2 == 0);
     // Exact but for the last division: all products of these numbers fit into 64 bits.
     const HitImage truth = test_support::brute_force_frame<long double>(
         camera, field.world_origin_m(),

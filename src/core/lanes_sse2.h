@@ -1,0 +1,91 @@
+// Two doubles side by side: what every x86-64 processor has.
+#pragma once
+
+#include <emmintrin.h>
+
+#include <cstdint>
+
+namespace plumb {
+namespace {
+
+/// Arithmetic on several doubles at once, one a lane. Every operation gives each lane what IEEE 754
+/// gives a double alone, whatever the number of lanes; lanes_avx2.h and lanes_avx512.h offer the
+/// same names, so that a kernel is written once.
+struct Sse2Lanes {
+  static constexpr int kCount = 2;
+  using Real = __m128d;
+  using Mask = __m128d;  // all bits of a lane, or none
+
+  static Real all(double x) { return _mm_set1_pd(x); }
+  static Real load(const double* from) { return _mm_loadu_pd(from); }
+  static void store(double* to, Real x) { _mm_storeu_pd(to, x); }
+
+  static Real least(Real a, Real b) { return _mm_min_pd(a, b); }
+  static Real greatest(Real a, Real b) { return _mm_max_pd(a, b); }
+  static Real magnitude(Real a) { return _mm_andnot_pd(_mm_set1_pd(-0.0), a); }
+  /// Largest integer <= x, for 0 <= x < 2^51.
+  static Real floor(Real x) {
+    const Real shift = all(4503599627370496.0);  // 2^52: adding it rounds to an integer
+    const Real nearest = (x + shift) - shift;
+    return nearest - _mm_and_pd(_mm_cmplt_pd(x, nearest), all(1.0));
+  }
+
+  static Mask less(Real a, Real b) { return _mm_cmplt_pd(a, b); }
+  static Mask less_equal(Real a, Real b) { return _mm_cmple_pd(a, b); }
+  static Mask equal(Real a, Real b) { return _mm_cmpeq_pd(a, b); }
+  static Mask both(Mask a, Mask b) { return _mm_and_pd(a, b); }
+  static Mask either(Mask a, Mask b) { return _mm_or_pd(a, b); }
+  static Mask without(Mask a, Mask b) { return _mm_andnot_pd(b, a); }
+  static Mask same(Mask a, Mask b) {
+    const Mask different = _mm_xor_pd(a, b);
+    return _mm_xor_pd(different, _mm_castsi128_pd(_mm_set1_epi32(-1)));
+  }
+  static Real choose(Mask m, Real a, Real b) {
+    return _mm_or_pd(_mm_and_pd(m, a), _mm_andnot_pd(m, b));
+  }
+  static unsigned bits(Mask m) { return static_cast<unsigned>(_mm_movemask_pd(m)); }
+  static Mask mask(unsigned bits) {
+    return _mm_castsi128_pd(_mm_set_epi64x(bits & 2u ? -1 : 0, bits & 1u ? -1 : 0));
+  }
+
+  /// The lanes of `m` get from[0], from[1], ... in order, the others keep x.
+  static Real spread(Real x, Mask m, const double* from) {
+    double lane[kCount];
+    store(lane, x);
+    for (unsigned left = bits(m); left; left &= left - 1) lane[__builtin_ctz(left)] = *from++;
+    return load(lane);
+  }
+
+  /// Sixteen doubles, looked up by 2^52 + index.
+  struct Table {
+    const double* entries;
+  };
+  static Table table(const double* entries) { return {entries}; }
+  static Real look_up(const Table& table, Real index) {
+    const __m128i i = _mm_castpd_si128(index);
+    return _mm_set_pd(table.entries[_mm_extract_epi16(i, 4)],
+                      table.entries[_mm_extract_epi16(i, 0)]);
+  }
+
+  struct Pair {
+    Real first, second;
+  };
+  /// The two floats at base + index * kStride, index an integer in [0, 2^31), for the lanes of `m`;
+  /// 0 elsewhere.
+  template <int kStride>
+  static Pair gather(const float* base, Real index, Mask m) {
+    double at[kCount];
+    float first[kCount] = {}, second[kCount] = {};
+    store(at, index);
+    for (unsigned left = bits(m); left; left &= left - 1) {
+      const int lane = __builtin_ctz(left);
+      const float* pair = base + static_cast<std::int64_t>(at[lane]) * kStride;
+      first[lane] = pair[0];
+      second[lane] = pair[1];
+    }
+    return {_mm_set_pd(first[1], first[0]), _mm_set_pd(second[1], second[0])};
+  }
+};
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,33 @@
+// One ray through the pyramid, with every doubt settled: what the kernels of lane_walk.h must
+// equal.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "reference/height_pyramid.h"
+#include "reference/ray.h"
+#include "terrain/heightfield.h"
+
+namespace plumb::reference {
+
+/// How much rounding may hide on rays from one origin, and between which heights they are followed.
+struct WalkLimits {
+  double height_slack;  // more than the roundings of z + t * dz and of a height between samples, m
+  double place_slack;   // more than the roundings of u + t * du, cells
+  double lowest, highest;  // nothing is met outside; well clear of all heights, so that a hit on
+                           // the lowest plain is not the end of its ray
+};
+
+WalkLimits walk_limits(const terrain::Heightfield& field, const HeightPyramid& pyramid,
+                       const glm::dvec3& origin_m);
+
+/// A direction component so small beside the others that a ray of it crosses no cell within any
+/// terrain counts as zero: 1e-30 cells (or metres) a unit of the largest.
+inline constexpr double kStillDirection = 1e-30;
+
+/// The first hit of a ray, finite and with a direction, in the terrain's coordinates. Depth first,
+/// the children that the ray meets first before the others.
+RayHit walk_carefully(const terrain::Heightfield& field, terrain::Diagonal diagonal,
+                      const HeightPyramid& pyramid, const Ray& ray);
+
+}  // namespace plumb::reference

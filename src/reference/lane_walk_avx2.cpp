@@ -1,0 +1,10 @@
+#include "core/lanes_avx2.h"
+#include "reference/lane_walk_kernel.h"
+
+namespace plumb::reference {
+
+void walk_lanes_avx2(const LaneScene& scene, LaneRays& rays) {
+  LaneWalker<Avx2Lanes>(scene, rays).run();
+}
+
+}  // namespace plumb::reference

@@ -1,0 +1,10 @@
+#include "core/lanes_avx512.h"
+#include "reference/lane_walk_kernel.h"
+
+namespace plumb::reference {
+
+void walk_lanes_avx512(const LaneScene& scene, LaneRays& rays) {
+  LaneWalker<Avx512Lanes>(scene, rays).run();
+}
+
+}  // namespace plumb::reference

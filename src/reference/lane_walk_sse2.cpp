@@ -1,0 +1,10 @@
+#include "core/lanes_sse2.h"
+#include "reference/lane_walk_kernel.h"
+
+namespace plumb::reference {
+
+void walk_lanes_sse2(const LaneScene& scene, LaneRays& rays) {
+  LaneWalker<Sse2Lanes>(scene, rays).run();
+}
+
+}  // namespace plumb::reference
