@@ -3,6 +3,7 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -51,26 +52,39 @@ void give_bounds(const RTCBoundsFunctionArguments* arguments) {
   bounds.upper_z = round_up(high.z);
 }
 
-// What travels with a ray: Embree hands the context's address back to visit_on_ray.
-struct RayWalk {
-  EmbreeRayContext context;  // first, so that its address is the walk's
-  BoxVisitor* visitor;
-  double scale;  // Embree's parameter is t * scale - start
-  double start;
-  double margin;
-
+// Embree's parameter of a ray is t * scale - start.
+struct RayScale {
+  double scale, start, margin;
   float limit(double t_max) const { return round_up(t_max * scale - start + margin); }
 };
 
+// What travels with rays: Embree hands the context's address back to visit_on_ray. One of the
+// visitors is set.
+struct RayWalk {
+  EmbreeRayContext context;  // first, so that its address is the walk's
+  BoxVisitor* single = nullptr;
+  PacketVisitor* packet = nullptr;
+  std::array<RayScale, BoxTree::kPacket> scales;
+
+  double visit(std::uint32_t primitive, unsigned ray) const {
+    return single ? single->visit(primitive) : packet->visit(primitive, static_cast<int>(ray));
+  }
+};
+
+// Embree may hand out a packet in parts: a ray knows its number.
 void visit_on_ray(const RTCIntersectFunctionNArguments* arguments) {
-  if (arguments->N != 1 || arguments->valid[0] == 0) return;
   auto& walk = *reinterpret_cast<RayWalk*>(arguments->context);
-  auto& ray = *reinterpret_cast<RTCRayHit*>(arguments->rayhit);
-  const float limit = walk.limit(walk.visitor->visit(arguments->primID));
-  if (limit < ray.ray.tfar) {
-    ray.ray.tfar = limit;
-    ray.hit.geomID = arguments->geomID;
-    ray.hit.primID = arguments->primID;
+  const unsigned count = arguments->N;
+  RTCRayN* const rays = RTCRayHitN_RayN(arguments->rayhit, count);
+  RTCHitN* const hits = RTCRayHitN_HitN(arguments->rayhit, count);
+  for (unsigned k = 0; k < count; ++k) {
+    if (arguments->valid[k] == 0) continue;
+    const unsigned ray = RTCRayN_id(rays, count, k);
+    const float limit = walk.scales[ray].limit(walk.visit(arguments->primID, ray));
+    if (!(limit < RTCRayN_tfar(rays, count, k))) continue;
+    RTCRayN_tfar(rays, count, k) = limit;
+    RTCHitN_geomID(hits, count, k) = arguments->geomID;
+    RTCHitN_primID(hits, count, k) = arguments->primID;
   }
 }
 
@@ -218,30 +232,67 @@ const Box& BoxTree::bounds() const { return scene_->bounds; }
 std::int64_t BoxTree::peak_bytes() const { return scene_->memory.peak; }
 std::int64_t BoxTree::bytes() const { return scene_->memory.now; }
 
-void BoxTree::visit_ray(const Ray& ray, BoxVisitor& visitor) const {
-  if (!scene_->scene) return;
-  const glm::dvec3 size = glm::abs(ray.direction);
-  const double scale = longest(size);
-  const glm::dvec3 direction = ray.direction / scale;
+std::optional<BoxTree::Entry> BoxTree::enter(const Ray& ray) const {
+  if (!scene_->scene) return std::nullopt;
+  const double scale = longest(glm::abs(ray.direction));
+  Entry entry;
+  entry.direction = ray.direction / scale;
   const glm::dvec3 origin = ray.origin_m - scene_->middle;
   double low = ray.t_min * scale, high = ray.t_max * scale;
-  if (!cut_to_box(origin, direction, scene_->entered, low, high)) return;
+  if (!cut_to_box(origin, entry.direction, scene_->entered, low, high)) return std::nullopt;
+  entry.origin = origin + low * entry.direction;
+  entry.length = high - low + scene_->margin;
+  entry.scale = scale;
+  entry.start = low;
+  return entry;
+}
 
-  RayWalk walk{{}, &visitor, scale, low, scene_->margin};
+void BoxTree::visit_ray(const Ray& ray, BoxVisitor& visitor) const {
+  const std::optional<Entry> entry = enter(ray);
+  if (!entry) return;
+  RayWalk walk;
+  walk.single = &visitor;
+  walk.scales[0] = {entry->scale, entry->start, scene_->margin};
   start(walk.context);
-  const glm::dvec3 entry = origin + low * direction;
   RTCRayHit query{};
-  query.ray.org_x = static_cast<float>(entry.x);
-  query.ray.org_y = static_cast<float>(entry.y);
-  query.ray.org_z = static_cast<float>(entry.z);
-  query.ray.dir_x = static_cast<float>(direction.x);
-  query.ray.dir_y = static_cast<float>(direction.y);
-  query.ray.dir_z = static_cast<float>(direction.z);
-  query.ray.tfar = round_up(high - low + scene_->margin);
+  query.ray.org_x = static_cast<float>(entry->origin.x);
+  query.ray.org_y = static_cast<float>(entry->origin.y);
+  query.ray.org_z = static_cast<float>(entry->origin.z);
+  query.ray.dir_x = static_cast<float>(entry->direction.x);
+  query.ray.dir_y = static_cast<float>(entry->direction.y);
+  query.ray.dir_z = static_cast<float>(entry->direction.z);
+  query.ray.tfar = round_up(entry->length);
   query.ray.mask = 0xffffffffu;
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   intersect(scene_->scene, walk.context, query);
+}
+
+void BoxTree::visit_rays(std::span<const Ray> rays, PacketVisitor& visitor) const {
+  require(rays.size() <= kPacket, "a packet has at most {} rays, got {}", kPacket, rays.size());
+  RayWalk walk;
+  walk.packet = &visitor;
+  start_coherent(walk.context);
+  alignas(64) std::array<int, kPacket> valid{};
+  alignas(64) RTCRayHit16 query{};
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    const std::optional<Entry> entry = enter(rays[k]);
+    if (!entry) continue;
+    valid[k] = -1;
+    walk.scales[k] = {entry->scale, entry->start, scene_->margin};
+    query.ray.org_x[k] = static_cast<float>(entry->origin.x);
+    query.ray.org_y[k] = static_cast<float>(entry->origin.y);
+    query.ray.org_z[k] = static_cast<float>(entry->origin.z);
+    query.ray.dir_x[k] = static_cast<float>(entry->direction.x);
+    query.ray.dir_y[k] = static_cast<float>(entry->direction.y);
+    query.ray.dir_z[k] = static_cast<float>(entry->direction.z);
+    query.ray.tfar[k] = round_up(entry->length);
+    query.ray.mask[k] = 0xffffffffu;
+    query.ray.id[k] = static_cast<unsigned>(k);
+    query.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+  }
+  intersect(scene_->scene, walk.context, valid.data(), query);
 }
 
 void BoxTree::visit_ball(const glm::dvec3& point, double radius, BoxVisitor& visitor) const {

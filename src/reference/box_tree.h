@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 
 #include "core/box.h"
@@ -18,6 +20,14 @@ class BoxVisitor {
   /// Returns the t (for a ball: the radius) beyond which nothing is wanted from now on. Must not
   /// throw.
   virtual double visit(std::uint32_t primitive) = 0;
+};
+
+/// Told which primitives may be met by which ray of a packet.
+class PacketVisitor {
+ public:
+  virtual ~PacketVisitor() = default;
+  /// Returns the t beyond which nothing is wanted for that ray from now on. Must not throw.
+  virtual double visit(std::uint32_t primitive, int ray) = 0;
 };
 
 /// Embree's tree of boxes, in single precision, with a margin that makes its answers safe for
@@ -48,6 +58,9 @@ class BoxTree {
 
   /// The ray is in the boxes' coordinates; finite, its direction not zero.
   void visit_ray(const Ray& ray, BoxVisitor& visitor) const;
+  /// The same for up to kPacket rays that go much the same way, together.
+  void visit_rays(std::span<const Ray> rays, PacketVisitor& visitor) const;
+  static constexpr int kPacket = 16;
   /// radius >= 0, may be infinite; the point is finite.
   void visit_ball(const glm::dvec3& point, double radius, BoxVisitor& visitor) const;
 
@@ -61,6 +74,13 @@ class BoxTree {
   std::int64_t bytes() const;
 
  private:
+  // A ray from where it enters the scene, in Embree's coordinates.
+  struct Entry {
+    glm::dvec3 origin, direction;
+    double length, scale, start;
+  };
+  std::optional<Entry> enter(const Ray& ray) const;
+
   struct Scene;
   std::unique_ptr<Scene> scene_;
 };

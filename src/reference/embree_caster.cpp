@@ -1,6 +1,7 @@
 #include "reference/embree_caster.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -37,7 +38,7 @@ class Settler final : public BoxVisitor {
 
   double visit(std::uint32_t primitive) override {
     const RayHit before = best_;
-    triangles_.meet(primitive, frame_, ray_.t_min, ray_.t_max, best_);
+    triangles_.meet(primitive, frame_, ray_.t_min, ray_.t_max, best_, scratch_);
     ++proposals_;
     if (best_ == before) ++refused_;
     return std::min(best_.t, ray_.t_max);
@@ -55,6 +56,7 @@ class Settler final : public BoxVisitor {
   const Ray& ray_;
   RayFrame frame_;
   RayHit best_;
+  typename Triangles::Scratch scratch_;
   std::int64_t proposals_ = 0, refused_ = 0;
 };
 
@@ -66,6 +68,43 @@ RayHit settle(const Triangles& triangles, const BoxTree& tree, const Ray& ray,
   settler.count(statistics);
   return settler.best();
 }
+
+// The same for a packet of rays after the other.
+template <class Triangles>
+class PacketSettler final : public PacketVisitor {
+ public:
+  PacketSettler(const Triangles& triangles, CastStatistics& statistics)
+      : triangles_(triangles), statistics_(statistics) {}
+
+  void settle(const BoxTree& tree, std::span<const Ray> rays, std::span<RayHit> hits) {
+    rays_ = rays;
+    hits_ = hits;
+    frames_.clear();
+    for (const Ray& ray : rays) frames_.emplace_back(ray);
+    std::fill(hits.begin(), hits.end(), RayHit{});
+    tree.visit_rays(rays, *this);
+    statistics_.rays += static_cast<std::int64_t>(rays.size());
+    for (const RayHit& hit : hits) statistics_.hits += hit ? 1 : 0;
+  }
+
+  double visit(std::uint32_t primitive, int number) override {
+    const auto k = static_cast<std::size_t>(number);
+    RayHit& best = hits_[k];
+    const RayHit before = best;
+    triangles_.meet(primitive, frames_[k], rays_[k].t_min, rays_[k].t_max, best, scratch_);
+    ++statistics_.proposals;
+    if (best == before) ++statistics_.refused;
+    return std::min(best.t, rays_[k].t_max);
+  }
+
+ private:
+  const Triangles& triangles_;
+  CastStatistics& statistics_;
+  std::span<const Ray> rays_;
+  std::span<RayHit> hits_;
+  std::vector<RayFrame> frames_;
+  typename Triangles::Scratch scratch_;
+};
 
 template <class Triangles>
 BoxTree tree_of(const Triangles& triangles, const EmbreeOptions& options) {
@@ -94,6 +133,15 @@ struct EmbreeCaster::Scene {
   Scene(const TriangleMesh& triangles, const EmbreeOptions& options)
       : origin_m(triangles.origin_m), mesh(triangles), tree(tree_of(*mesh, options)) {}
 
+  // Calls with(settler), which casts packets.
+  template <class With>
+  void with_settler(CastStatistics& statistics, const With& with) const {
+    if (blocks) {
+      with(PacketSettler<HeightBlocks>(*blocks, statistics));
+    } else {
+      with(PacketSettler<MeshTriangles>(*mesh, statistics));
+    }
+  }
   RayHit cast(const Ray& ray, CastStatistics& statistics) const {
     return blocks ? settle(*blocks, tree, ray, statistics) : settle(*mesh, tree, ray, statistics);
   }
@@ -117,9 +165,15 @@ RayHit EmbreeCaster::cast(const Ray& ray) const {
 std::vector<RayHit> EmbreeCaster::cast(std::span<const Ray> rays) const {
   for (const Ray& ray : rays) require_castable(ray);
   std::vector<RayHit> hits(rays.size());
-  parallel_for(static_cast<std::int64_t>(rays.size()), 256, [&](std::int64_t k) {
+  const std::size_t packets = (rays.size() + BoxTree::kPacket - 1) / BoxTree::kPacket;
+  parallel_for(static_cast<std::int64_t>(packets), 16, [&](std::int64_t packet) {
+    const std::size_t first = static_cast<std::size_t>(packet) * BoxTree::kPacket;
+    const std::size_t count = std::min<std::size_t>(BoxTree::kPacket, rays.size() - first);
     CastStatistics unused;
-    hits[static_cast<std::size_t>(k)] = scene_->cast(rays[static_cast<std::size_t>(k)], unused);
+    scene_->with_settler(unused, [&](auto settler) {
+      settler.settle(scene_->tree, rays.subspan(first, count),
+                     std::span(hits).subspan(first, count));
+    });
   });
   return hits;
 }
@@ -129,6 +183,58 @@ Ray EmbreeCaster::camera_ray(const Camera& camera, double x_px, double y_px) con
           camera.far_m};
 }
 
+namespace {
+
+constexpr int kPacketSide = 4;  // pixels
+static_assert(kPacketSide * kPacketSide == BoxTree::kPacket);
+
+// Pixels of one packet, fewer at the image's right and lower border.
+struct Packet {
+  int x0, y0, columns, rows;
+  int count() const { return columns * rows; }
+};
+
+Packet packet_at(const Camera& camera, int x0, int y0) {
+  return {x0, y0, std::min(kPacketSide, camera.width_px - x0),
+          std::min(kPacketSide, camera.height_px - y0)};
+}
+
+void write_hits(const Packet& packet, std::span<const Ray> rays, std::span<const RayHit> hits,
+                HitImage& image) {
+  for (int k = 0; k < packet.count(); ++k) {
+    const RayHit& hit = hits[static_cast<std::size_t>(k)];
+    if (!hit) continue;
+    const std::size_t pixel =
+        image.index(packet.x0 + k % packet.columns, packet.y0 + k / packet.columns);
+    image.depth_m[pixel] = hit.t;
+    image.from_eye_m[pixel] = hit.t * rays[static_cast<std::size_t>(k)].direction;
+    image.primitive[pixel] = hit.triangle;
+  }
+}
+
+}  // namespace
+
+template <class Settler>
+void EmbreeCaster::cast_tile(const Camera& camera, int x0, int y0, Settler& settler,
+                             HitImage& image) const {
+  std::array<Ray, BoxTree::kPacket> rays;
+  std::array<RayHit, BoxTree::kPacket> hits;
+  for (int y = y0; y < std::min(y0 + kTile, camera.height_px); y += kPacketSide) {
+    for (int x = x0; x < std::min(x0 + kTile, camera.width_px); x += kPacketSide) {
+      const Packet packet = packet_at(camera, x, y);
+      const auto count = static_cast<std::size_t>(packet.count());
+      for (int k = 0; k < packet.count(); ++k) {
+        rays[static_cast<std::size_t>(k)] =
+            camera_ray(camera, x + k % packet.columns + 0.5, y + k / packet.columns + 0.5);
+      }
+      const std::span<const Ray> cast_rays(rays.data(), count);
+      const std::span<RayHit> found(hits.data(), count);
+      settler.settle(scene_->tree, cast_rays, found);
+      write_hits(packet, cast_rays, found, image);
+    }
+  }
+}
+
 HitImage EmbreeCaster::cast_frame(const Camera& camera, CastStatistics* statistics) const {
   require_castable(camera_ray(camera, 0.5, 0.5));
   HitImage image(camera.width_px, camera.height_px);
@@ -136,20 +242,10 @@ HitImage EmbreeCaster::cast_frame(const Camera& camera, CastStatistics* statisti
   const int tiles_y = (camera.height_px + kTile - 1) / kTile;
   std::vector<CastStatistics> of_tile(static_cast<std::size_t>(tiles_x) * tiles_y);
   parallel_for(static_cast<std::int64_t>(of_tile.size()), 1, [&](std::int64_t tile) {
-    CastStatistics& sum = of_tile[static_cast<std::size_t>(tile)];
     const int x0 = static_cast<int>(tile % tiles_x) * kTile;
     const int y0 = static_cast<int>(tile / tiles_x) * kTile;
-    for (int y = y0; y < std::min(y0 + kTile, camera.height_px); ++y) {
-      for (int x = x0; x < std::min(x0 + kTile, camera.width_px); ++x) {
-        const Ray ray = camera_ray(camera, x + 0.5, y + 0.5);
-        const RayHit hit = scene_->cast(ray, sum);
-        if (!hit) continue;
-        const std::size_t pixel = image.index(x, y);
-        image.depth_m[pixel] = hit.t;
-        image.from_eye_m[pixel] = hit.t * ray.direction;
-        image.primitive[pixel] = hit.triangle;
-      }
-    }
+    scene_->with_settler(of_tile[static_cast<std::size_t>(tile)],
+                         [&](auto settler) { cast_tile(camera, x0, y0, settler, image); });
   });
   if (statistics) {
     *statistics = {};

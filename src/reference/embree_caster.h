@@ -70,6 +70,9 @@ class EmbreeCaster {
   Ray camera_ray(const Camera& camera, double x_px, double y_px) const;
 
  private:
+  template <class Settler>
+  void cast_tile(const Camera& camera, int x0, int y0, Settler& settler, HitImage& image) const;
+
   struct Scene;
   std::unique_ptr<const Scene> scene_;
 };

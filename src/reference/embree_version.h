@@ -17,6 +17,17 @@ using EmbreeRayContext = RTCRayQueryContext;
 
 inline void start(EmbreeRayContext& context) { rtcInitRayQueryContext(&context); }
 
+inline void start_coherent(EmbreeRayContext& context) { rtcInitRayQueryContext(&context); }
+
+inline void intersect(RTCScene scene, EmbreeRayContext& context, const int* valid,
+                      RTCRayHit16& rays) {
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.context = &context;
+  arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+  rtcIntersect16(valid, scene, &rays, &arguments);
+}
+
 inline void intersect(RTCScene scene, EmbreeRayContext& context, RTCRayHit& ray) {
   RTCIntersectArguments arguments;
   rtcInitIntersectArguments(&arguments);
@@ -29,6 +40,16 @@ inline void intersect(RTCScene scene, EmbreeRayContext& context, RTCRayHit& ray)
 using EmbreeRayContext = RTCIntersectContext;
 
 inline void start(EmbreeRayContext& context) { rtcInitIntersectContext(&context); }
+
+inline void start_coherent(EmbreeRayContext& context) {
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+}
+
+inline void intersect(RTCScene scene, EmbreeRayContext& context, const int* valid,
+                      RTCRayHit16& rays) {
+  rtcIntersect16(valid, scene, &context, &rays);
+}
 
 inline void intersect(RTCScene scene, EmbreeRayContext& context, RTCRayHit& ray) {
   rtcIntersect1(scene, &context, &ray);

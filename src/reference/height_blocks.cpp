@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/grid.h"
 #include "core/parallel.h"
@@ -10,8 +11,25 @@
 namespace plumb::reference {
 namespace {
 
-constexpr int kSamples = HeightBlocks::kSide + 1;
-using RayPoints = std::array<std::array<RayPoint, kSamples>, kSamples>;
+static_assert(BlockSamples::kRow == HeightBlocks::kSide + 1);
+constexpr int kRow = BlockSamples::kRow;
+
+// Far more than the roundings by which a place on a ray is known, as a share of its distance.
+constexpr double kOutside = 1e-9;
+
+// Cells of a block, each as the bit of its south-west sample.
+constexpr std::uint32_t kCells = [] {
+  std::uint32_t cells = 0;
+  for (int b = 0; b < HeightBlocks::kSide; ++b) {
+    for (int a = 0; a < HeightBlocks::kSide; ++a) cells |= 1u << (b * kRow + a);
+  }
+  return cells;
+}();
+
+// Cells of which some corner is in the set.
+std::uint32_t with_corner_in(std::uint32_t samples) {
+  return samples | samples >> 1 | samples >> kRow | samples >> (kRow + 1);
+}
 
 bool cell_has_triangle(const terrain::Heightfield& field, int i, int j) {
   return field.is_void(i, j) + field.is_void(i + 1, j) + field.is_void(i, j + 1) +
@@ -19,22 +37,10 @@ bool cell_has_triangle(const terrain::Heightfield& field, int i, int j) {
          1;
 }
 
-// Which sides of the ray a set of points lies on. Voids, which are NaN, lie on none.
-struct Sides {
-  bool left = false, right = false, below = false, above = false;
-  void add(const RayPoint& p) {
-    left |= p.u <= 0.0;
-    right |= p.u >= 0.0;
-    below |= p.v <= 0.0;
-    above |= p.v >= 0.0;
-  }
-  bool around_ray() const { return left && right && below && above; }
-};
-
 }  // namespace
 
 HeightBlocks::HeightBlocks(const terrain::Heightfield& field, terrain::Diagonal diagonal)
-    : field_(field), diagonal_(diagonal) {
+    : field_(field), diagonal_(diagonal), find_sides_(block_sides(instruction_set())) {
   across_ = (field.cell_columns() + kSide - 1) / kSide;
   const int up = (field.cell_rows() + kSide - 1) / kSide;
   Grid<std::uint8_t> filled(across_, up, 0);
@@ -70,41 +76,63 @@ Box HeightBlocks::box(std::uint32_t k) const {
   return box;
 }
 
-void HeightBlocks::meet(std::uint32_t k, const RayFrame& frame, double t_min, double t_max,
-                        RayHit& best) const {
+// A corner of a block less a point, moved by `share` of itself and of the spacing.
+glm::dvec2 HeightBlocks::corner(const Extent& e, int a, int b, const glm::dvec3& from_m,
+                                double share) const {
+  const double x = (e.i0 + a) * field_.dx_m - from_m.x, y = (e.j0 + b) * field_.dy_m - from_m.y;
+  return {x + share * (std::abs(x) + field_.dx_m), y + share * (std::abs(y) + field_.dy_m)};
+}
+
+void HeightBlocks::gather(std::uint32_t k, const glm::dvec3& from_m, Scratch& samples) const {
+  if (samples.block == k && samples.from_m == from_m) return;
+  samples.block = k;
+  samples.from_m = from_m;
   const Extent e = extent(k);
-  const glm::dvec3& eye = frame.origin_m();
-  RayPoints p;
-  Sides block_sides;
+  std::fill_n(&samples.at.axis[0][0], 3 * BlockSamples::kPadded,
+              std::numeric_limits<double>::quiet_NaN());
   for (int b = 0; b < e.rows; ++b) {
-    const double y = (e.j0 + b) * field_.dy_m - eye.y;
+    const double y = (e.j0 + b) * field_.dy_m - from_m.y;
     for (int a = 0; a < e.columns; ++a) {
-      p[b][a] = frame.place({(e.i0 + a) * field_.dx_m - eye.x, y,
-                             static_cast<double>(field_.heights_m(e.i0 + a, e.j0 + b)) - eye.z});
-      block_sides.add(p[b][a]);
+      const int at = b * kRow + a;
+      samples.at.axis[0][at] = (e.i0 + a) * field_.dx_m - from_m.x;
+      samples.at.axis[1][at] = y;
+      samples.at.axis[2][at] = static_cast<double>(field_.heights_m(e.i0 + a, e.j0 + b)) - from_m.z;
     }
   }
-  if (!block_sides.around_ray()) return;
+}
 
-  for (int b = 0; b + 1 < e.rows; ++b) {
-    for (int a = 0; a + 1 < e.columns; ++a) {
-      const RayPoint &sw = p[b][a], &se = p[b][a + 1], &nw = p[b + 1][a], &ne = p[b + 1][a + 1];
-      Sides sides;
-      sides.add(sw);
-      sides.add(se);
-      sides.add(nw);
-      sides.add(ne);
-      if (!sides.around_ray()) continue;
-      const int i = e.i0 + a, j = e.j0 + b;
-      const bool rising = rises_north_east(diagonal_, i, j);
-      const std::uint32_t first = terrain::triangle_index(field_.cell_columns(), i, j, 0);
-      const double t0 = rising ? meet_triangle(sw, se, ne, t_min, t_max)
-                               : meet_triangle(sw, se, nw, t_min, t_max);
-      offer(best, t0, first);
-      const double t1 = rising ? meet_triangle(sw, ne, nw, t_min, t_max)
-                               : meet_triangle(se, ne, nw, t_min, t_max);
-      offer(best, t1, first + 1);
-    }
+void HeightBlocks::meet(std::uint32_t k, const RayFrame& frame, double t_min, double t_max,
+                        RayHit& best, Scratch& samples) const {
+  const Extent e = extent(k);
+  if (!frame.passes_over(corner(e, 0, 0, frame.origin_m(), -kOutside),
+                         corner(e, e.columns - 1, e.rows - 1, frame.origin_m(), kOutside)))
+    return;
+  gather(k, frame.origin_m(), samples);
+  const double* along = samples.at.axis[frame.along()];
+  BlockSides sides;
+  find_sides_({along, samples.at.axis[frame.across()], samples.at.axis[frame.up()], frame.shear_u(),
+               frame.shear_v()},
+              sides);
+  // A void's coordinates are NaN, one of them or all: no triangle that has it is met.
+  std::uint32_t cells = kCells & with_corner_in(sides.left) & with_corner_in(sides.right) &
+                        with_corner_in(sides.below) & with_corner_in(sides.above);
+  if (cells == 0) return;
+  const auto point = [&](int at) {
+    return RayPoint{sides.u[at], sides.v[at], frame.scale_t() * along[at]};
+  };
+  for (; cells; cells &= cells - 1) {
+    const int at = __builtin_ctz(cells);
+    const int i = e.i0 + at % kRow, j = e.j0 + at / kRow;
+    const RayPoint sw = point(at), se = point(at + 1), nw = point(at + kRow),
+                   ne = point(at + kRow + 1);
+    const bool rising = rises_north_east(diagonal_, i, j);
+    const std::uint32_t first = terrain::triangle_index(field_.cell_columns(), i, j, 0);
+    const double t0 =
+        rising ? meet_triangle(sw, se, ne, t_min, t_max) : meet_triangle(sw, se, nw, t_min, t_max);
+    offer(best, t0, first);
+    const double t1 =
+        rising ? meet_triangle(sw, ne, nw, t_min, t_max) : meet_triangle(se, ne, nw, t_min, t_max);
+    offer(best, t1, first + 1);
   }
 }
 

@@ -29,7 +29,7 @@ Box MeshTriangles::box(std::uint32_t k) const {
 }
 
 void MeshTriangles::meet(std::uint32_t k, const RayFrame& frame, double t_min, double t_max,
-                         RayHit& best) const {
+                         RayHit& best, Scratch& /*scratch*/) const {
   const std::array<glm::dvec3, 3> c = corners(k);
   const glm::dvec3& eye = frame.origin_m();
   const double t = meet_triangle(frame.place(c[0] - eye), frame.place(c[1] - eye),

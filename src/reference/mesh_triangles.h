@@ -26,7 +26,9 @@ class MeshTriangles {
   Box box(std::uint32_t k) const;
   /// Improves `best` by triangle k if the ray meets it at t in [t_min, t_max]; of equal t the
   /// lowest index stays.
-  void meet(std::uint32_t k, const RayFrame& frame, double t_min, double t_max, RayHit& best) const;
+  struct Scratch {};  // nothing is kept
+  void meet(std::uint32_t k, const RayFrame& frame, double t_min, double t_max, RayHit& best,
+            Scratch& scratch) const;
 
  private:
   const TriangleMesh* mesh_;

@@ -1,8 +1,10 @@
 // Where a ray meets a triangle, in double, with no gap between triangles that share an edge.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -31,6 +33,8 @@ class RayFrame {
     shear_u_ = ray.direction[across_] / ray.direction[along_];
     shear_v_ = ray.direction[up_] / ray.direction[along_];
     scale_t_ = 1.0 / ray.direction[along_];
+    inverse_x_ = finite_inverse(ray.direction.x);
+    inverse_y_ = finite_inverse(ray.direction.y);
   }
 
   const glm::dvec3& origin_m() const { return origin_; }
@@ -42,10 +46,31 @@ class RayFrame {
             scale_t_ * depth};
   }
 
+  // The map's numbers, for code that maps many points at once.
+  int along() const { return along_; }
+  int across() const { return across_; }
+  int up() const { return up_; }
+  double shear_u() const { return shear_u_; }
+  double shear_v() const { return shear_v_; }
+  double scale_t() const { return scale_t_; }
+
+  /// False if no point of the ray lies over the rectangle [low, high] of the map, given less
+  /// origin_m(). True for some that miss it by a rounding.
+  bool passes_over(const glm::dvec2& low, const glm::dvec2& high) const {
+    const double west = low.x * inverse_x_, east = high.x * inverse_x_;
+    const double south = low.y * inverse_y_, north = high.y * inverse_y_;
+    const bool before = std::max(west, east) < std::min(south, north);
+    const bool after = std::max(south, north) < std::min(west, east);
+    return !before && !after;
+  }
+
  private:
+  // Finite, so that no product with it is not a number.
+  static double finite_inverse(double x) { return std::abs(x) > 1e-300 ? 1.0 / x : 1e300; }
+
   glm::dvec3 origin_;
   int along_, across_, up_;
-  double shear_u_, shear_v_, scale_t_;
+  double shear_u_, shear_v_, scale_t_, inverse_x_, inverse_y_;
 };
 
 namespace detail {

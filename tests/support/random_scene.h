@@ -35,7 +35,8 @@ enum class Relief { Noise, Terraces, Walls, Spikes, Flat, Count };
 /// 2 to 33 samples a side, cells that need not be square, any origin, voids in one of two terrains.
 inline terrain::Heightfield random_heightfield(Random& random) {
   terrain::Heightfield field;
-  field.heights_m = Grid<float>(random.integer(2, 33), random.integer(2, 33));
+  const int columns = random.integer(2, 33), rows = random.integer(2, 33);
+  field.heights_m = Grid<float>(columns, rows);
   field.dx_m = random.chance(0.5) ? 10.0 : random.uniform(0.3, 60.0);
   field.dy_m = random.chance(0.5) ? field.dx_m : random.uniform(0.3, 60.0);
   if (random.chance(0.5)) {

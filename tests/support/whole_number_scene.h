@@ -12,7 +12,8 @@ namespace plumb::test_support {
 /// borders and past the corners of voids.
 inline terrain::Heightfield whole_number_field(Random& random) {
   terrain::Heightfield field;
-  field.heights_m = Grid<float>(random.integer(2, 20), random.integer(2, 20));
+  const int columns = random.integer(2, 20), rows = random.integer(2, 20);
+  field.heights_m = Grid<float>(columns, rows);
   field.dx_m = field.dy_m = 8.0;
   for (float& height : field.heights_m.values()) {
     height = random.chance(0.1) ? std::numeric_limits<float>::quiet_NaN()
