@@ -1,9 +1,12 @@
 #include "audit/camera_file.h"
 
+#include <array>
 #include <cmath>
 #include <sstream>
+#include <utility>
 #include <vector>
 
+#include "audit/scene.h"
 #include "audit/toml_document.h"
 #include "core/check.h"
 #include "core/number_text.h"
@@ -13,6 +16,42 @@ namespace plumb::audit {
 namespace {
 
 constexpr int kLargestSide_px = 65536;
+
+EngineCamera& engine_of(CameraDescription& camera) {
+  if (!camera.engine) camera.engine.emplace();
+  return *camera.engine;
+}
+
+// One of several words.
+template <class Enum>
+Enum choice_in(const TomlValue& value, const std::vector<std::pair<const char*, Enum>>& choices) {
+  const std::string word = word_in(value);
+  std::string names;
+  for (const auto& [name, meaning] : choices) {
+    if (word == name) return meaning;
+    names += (names.empty() ? "" : ", ") + std::string(name);
+  }
+  input_error("{}: '{}' is none of {}", value.where, word, names);
+}
+
+std::array<double, 16> matrix_in(const TomlValue& value) {
+  const auto* list = std::get_if<TomlList>(&value.data);
+  if (list == nullptr || list->size() != 16)
+    input_error("{}: expected a matrix of sixteen numbers", value.where);
+  std::array<double, 16> numbers;
+  for (std::size_t k = 0; k < 16; ++k) numbers[k] = number_in((*list)[k]);
+  return numbers;
+}
+
+std::array<EngineAxis, 3> axes_in(const TomlValue& value) {
+  try {
+    return parse_world_axes(word_in(value));
+  } catch (const std::invalid_argument& error) {
+    input_error("{}: {}", value.where, error.what());
+  }
+}
+
+using Description = CameraDescription;
 
 struct Key {
   const char* name;
@@ -30,11 +69,48 @@ constexpr Key kKeys[] = {
                   const TomlValue& v) { c.height_px = whole_number_in(v, 1, kLargestSide_px); }},
     {"near", [](CameraDescription& c, const TomlValue& v) { c.near_m = number_in(v); }},
     {"far", [](CameraDescription& c, const TomlValue& v) { c.far_m = number_in(v); }},
+    {"view", [](Description& c, const TomlValue& v) { engine_of(c).view = matrix_in(v); }},
+    {"projection",
+     [](Description& c, const TomlValue& v) { engine_of(c).projection = matrix_in(v); }},
+    {"layout",
+     [](Description& c, const TomlValue& v) {
+       engine_of(c).layout = choice_in<MatrixLayout>(
+           v, {{"column-major", MatrixLayout::ColumnMajor}, {"row-major", MatrixLayout::RowMajor}});
+     }},
+    {"vectors",
+     [](Description& c, const TomlValue& v) {
+       engine_of(c).vectors =
+           choice_in<VectorKind>(v, {{"column", VectorKind::Column}, {"row", VectorKind::Row}});
+     }},
+    {"clip",
+     [](Description& c, const TomlValue& v) {
+       engine_of(c).clip = choice_in<ClipSpace>(v, {{"opengl", ClipSpace::OpenGl},
+                                                    {"d3d", ClipSpace::Direct3d},
+                                                    {"vulkan", ClipSpace::Vulkan}});
+     }},
+    {"reverse_z", [](Description& c, const TomlValue& v) { engine_of(c).reverse_z = truth_in(v); }},
+    {"world_axes",
+     [](Description& c, const TomlValue& v) { engine_of(c).world_axes = axes_in(v); }},
+    {"metres_per_unit",
+     [](Description& c, const TomlValue& v) { engine_of(c).metres_per_unit = number_in(v); }},
+    {"origin",
+     [](Description& c, const TomlValue& v) { engine_of(c).world_origin_m = vector_in(v); }},
     {"preset", [](CameraDescription& c, const TomlValue& v) { c.preset = word_in(v); }},
 };
 
 void require_whole(const CameraDescription& camera, const std::string& name) {
   const bool placed = camera.eye_m || camera.target_m || camera.up;
+  if (camera.engine) {
+    if (placed || !camera.preset.empty() || camera.fov_y_deg)
+      input_error("{}: a camera has either an engine's matrices, or eye and target, or a preset",
+                  name);
+    constexpr std::array<double, 16> kNone{};
+    if (camera.engine->view == kNone || camera.engine->projection == kNone)
+      input_error("{}: an engine's camera needs both view and projection", name);
+    if (!camera.width_px || !camera.height_px)
+      input_error("{}: an engine's camera needs width and height, the size of its window", name);
+    return;
+  }
   if (!camera.preset.empty() && placed)
     input_error("{}: a camera has either a preset or eye, target and up, not both", name);
   if (camera.preset.empty() && !(camera.eye_m && camera.target_m))
@@ -115,6 +191,29 @@ LookAt resolve_camera(const CameraDescription& description, const terrain::Heigh
     input_error("this is no camera: {}", error.what());
   }
   return camera;
+}
+
+PlacedCamera place_camera(const CameraDescription& description, const terrain::Heightfield& field) {
+  if (!description.engine) {
+    const LookAt look_at = resolve_camera(description, field);
+    return {make_camera(look_at), description_of(look_at)};
+  }
+  if (description.fov_y_deg)
+    input_error("a field of view belongs to no engine's camera: its projection has one");
+  EngineCamera engine = *description.engine;
+  engine.width_px = description.width_px.value_or(engine.width_px);
+  engine.height_px = description.height_px.value_or(engine.height_px);
+  try {
+    PlacedCamera placed{camera_of(engine), description};
+    placed.camera.near_m = description.near_m.value_or(placed.camera.near_m);
+    placed.camera.far_m = description.far_m.value_or(placed.camera.far_m);
+    require(placed.camera.near_m > 0.0 && placed.camera.near_m < placed.camera.far_m,
+            "near and far must satisfy 0 < near < far, got {} and {}", placed.camera.near_m,
+            placed.camera.far_m);
+    return placed;
+  } catch (const std::invalid_argument& error) {
+    input_error("these matrices are no camera: {}", error.what());
+  }
 }
 
 }  // namespace plumb::audit

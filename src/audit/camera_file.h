@@ -8,6 +8,7 @@
 
 #include "audit/toml_document.h"
 #include "core/camera.h"
+#include "core/engine_camera.h"
 #include "terrain/heightfield.h"
 
 namespace plumb::audit {
@@ -23,14 +24,19 @@ struct CameraDescription {
   std::optional<int> height_px = std::nullopt;
   std::optional<double> near_m = std::nullopt;
   std::optional<double> far_m = std::nullopt;
+  std::optional<EngineCamera> engine = std::nullopt;  // its matrices, in place of all above but
+                                                      // size, near and far
 
   friend bool operator==(const CameraDescription&, const CameraDescription&) = default;
 };
 
 /// Reads a TOML file with the keys eye, target, up (each [x, y, z]), fov_y_deg, width, height,
-/// near, far; or preset = "NAME" in place of eye, target and up. All but eye and target may be left
-/// out. Throws InputError, one line with the file and the place in it, for anything else: an
-/// unknown key is an error that names the known ones.
+/// near, far; or preset = "NAME" in place of eye, target and up; or, as an engine has them, view
+/// and projection (each sixteen numbers) with layout = "column-major" | "row-major", vectors =
+/// "column" | "row", clip = "opengl" | "d3d" | "vulkan", reverse_z, world_axes = "x,y,z" (those
+/// that point east, north and up), metres_per_unit, origin = [x, y, z]. All but eye and target, or
+/// view and projection, may be left out. Throws InputError, one line with the file and the place in
+/// it, for anything else: an unknown key is an error that names the known ones.
 CameraDescription read_camera_file(const std::string& path);
 
 /// The same from the text of such a file; `name` stands for it in messages.
@@ -47,5 +53,15 @@ std::optional<CameraDescription> parse_camera_numbers(const std::string& text);
 /// or the preset's. Throws InputError for an unknown preset, and for values that are no camera (eye
 /// on target, a field of view outside (0, 180), a size outside 1..65536, near <= 0, far <= near).
 LookAt resolve_camera(const CameraDescription& description, const terrain::Heightfield& field);
+
+/// A camera, and every value of it as a camera file has it: reading that gives the same camera.
+struct PlacedCamera {
+  Camera camera;
+  CameraDescription description;
+};
+
+/// As resolve_camera, and from an engine's matrices as well, whose errors name the property that
+/// fails.
+PlacedCamera place_camera(const CameraDescription& description, const terrain::Heightfield& field);
 
 }  // namespace plumb::audit

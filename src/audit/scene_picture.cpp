@@ -69,6 +69,18 @@ void draw_method(DrawnScene& drawn, const Method& method, Clock& clock) {
 
 DrawnScene draw_scene(const Scene& scene, const MethodTable& table,
                       const std::string& program_version, const StepListener& on_step) {
+  if (!scene.method.empty()) find_method(table, scene.method);  // before the terrain is read
+  Clock clock;
+  if (on_step) on_step("reading the terrain");
+  terrain::Heightfield field = terrain::load_terrain(scene.terrain, scene.read);
+  const double read_s = clock.lap_s();
+  DrawnScene drawn = draw_scene_on(std::move(field), scene, table, program_version, on_step);
+  drawn.times.read_s = read_s;
+  return drawn;
+}
+
+DrawnScene draw_scene_on(terrain::Heightfield field, const Scene& scene, const MethodTable& table,
+                         const std::string& program_version, const StepListener& on_step) {
   const auto step = [&](const std::string& what) {
     if (on_step) on_step(what);
   };
@@ -77,17 +89,16 @@ DrawnScene draw_scene(const Scene& scene, const MethodTable& table,
   if (method == nullptr && !by_rays) input_error("a scene needs a method, or the truth");
   DrawnScene drawn;
   drawn.scene = scene;
-  Clock clock;
-  step("reading the terrain");
-  drawn.field = terrain::load_terrain(scene.terrain, scene.read);
+  drawn.field = std::move(field);
   drawn.scene.terrain = drawn.field.provenance.source;
-  drawn.times.read_s = clock.lap_s();
+  Clock clock;
   step("placing the camera");
-  const LookAt look_at = resolve_camera(scene.camera, drawn.field);
-  drawn.camera = make_camera(look_at);
-  drawn.scene.camera = description_of(look_at);
-  require_memory(kBytesPerPixel * look_at.width_px * look_at.height_px,
-                 fmt::format("a picture of {} x {} pixels", look_at.width_px, look_at.height_px));
+  const PlacedCamera placed = place_camera(scene.camera, drawn.field);
+  drawn.camera = placed.camera;
+  drawn.scene.camera = placed.description;
+  const int width_px = drawn.camera.width_px, height_px = drawn.camera.height_px;
+  require_memory(kBytesPerPixel * width_px * height_px,
+                 fmt::format("a picture of {} x {} pixels", width_px, height_px));
   terrain::Diagonal diagonal = method != nullptr ? method->truth : terrain::Diagonal::Alternating;
   if (!scene.diagonal.empty()) diagonal = terrain::parse_diagonal(scene.diagonal);
   drawn.scene.diagonal = name_of(diagonal);

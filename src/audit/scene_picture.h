@@ -40,4 +40,8 @@ using StepListener = std::function<void(const std::string&)>;
 DrawnScene draw_scene(const Scene& scene, const MethodTable& table,
                       const std::string& program_version, const StepListener& on_step = {});
 
+/// The same on a terrain that has been read as scene.read says; its time is left out.
+DrawnScene draw_scene_on(terrain::Heightfield field, const Scene& scene, const MethodTable& table,
+                         const std::string& program_version, const StepListener& on_step = {});
+
 }  // namespace plumb::audit

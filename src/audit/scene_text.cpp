@@ -29,6 +29,11 @@ class Writer {
       raw(key,
           fmt::format("[{}, {}, {}]", toml_number(v->x), toml_number(v->y), toml_number(v->z)));
   }
+  void matrix(const std::string& key, const std::array<double, 16>& numbers) {
+    std::string list;
+    for (const double number : numbers) list += (list.empty() ? "" : ", ") + toml_number(number);
+    raw(key, "[" + list + "]");
+  }
   std::string result() const { return text_; }
 
  private:
@@ -62,6 +67,22 @@ void write_terrain(Writer& to, const Scene& scene) {
   to.text("diagonal", scene.diagonal);
 }
 
+void write_engine(Writer& to, const EngineCamera& engine) {
+  const EngineCamera usual;
+  to.matrix("view", engine.view);
+  to.matrix("projection", engine.projection);
+  to.text("layout", engine.layout == MatrixLayout::RowMajor ? "row-major" : "column-major");
+  to.text("vectors", engine.vectors == VectorKind::Row ? "row" : "column");
+  to.text("clip", engine.clip == ClipSpace::OpenGl     ? "opengl"
+                  : engine.clip == ClipSpace::Direct3d ? "d3d"
+                                                       : "vulkan");
+  if (engine.reverse_z) to.raw("reverse_z", "true");
+  to.text("world_axes", to_text(engine.world_axes));
+  if (engine.metres_per_unit != usual.metres_per_unit)
+    to.number("metres_per_unit", engine.metres_per_unit);
+  if (engine.world_origin_m != usual.world_origin_m) to.vector("origin", engine.world_origin_m);
+}
+
 void write_camera(Writer& to, const CameraDescription& camera) {
   to.table("camera");
   to.text("preset", camera.preset);
@@ -73,6 +94,7 @@ void write_camera(Writer& to, const CameraDescription& camera) {
   to.whole("height", camera.height_px);
   to.number("near", camera.near_m);
   to.number("far", camera.far_m);
+  if (camera.engine) write_engine(to, *camera.engine);
 }
 
 void write_method(Writer& to, const Scene& scene) {

@@ -95,6 +95,12 @@ int whole_number_in(const TomlValue& value, int least, int most) {
   return static_cast<int>(*whole);
 }
 
+bool truth_in(const TomlValue& value) {
+  const auto* truth = std::get_if<bool>(&value.data);
+  if (truth == nullptr) input_error("{}: expected true or false", value.where);
+  return *truth;
+}
+
 std::string word_in(const TomlValue& value) {
   const auto* text = std::get_if<std::string>(&value.data);
   if (text == nullptr || text->empty()) input_error("{}: expected a name in quotes", value.where);

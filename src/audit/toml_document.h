@@ -37,6 +37,7 @@ std::string read_text_file(const std::string& path, const std::string& what);
 /// was expected.
 double number_in(const TomlValue& value);
 int whole_number_in(const TomlValue& value, int least, int most);
+bool truth_in(const TomlValue& value);              // true or false
 std::string word_in(const TomlValue& value);        // a text that is not empty
 glm::dvec3 vector_in(const TomlValue& value);       // three finite numbers
 const TomlTable& table_in(const TomlValue& value);  // [name]

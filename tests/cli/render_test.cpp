@@ -110,5 +110,39 @@ TEST(RenderCommand, SaysWhatItCannotDo) {
   EXPECT_EQ(folder.names(), std::vector<std::string>{"s.toml"});
 }
 
+constexpr const char* kPath =
+    "[path]\nframes = 2\nwidth = 48\nheight = 27\n"
+    "[[key]]\neye = [0, -100, 900]\ntarget = [600, 600, 400]\n"
+    "[[key]]\neye = [50, -50, 950]\ntarget = [600, 600, 400]\n";
+
+TEST(RenderCommand, DrawsEveryFrameOfAPath) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.file("fly.toml")) << kPath;
+  const CommandResult all =
+      run_plumb({"render", "generate:alpine?size=33", "--camera", "fly.toml", "-o", "frames"},
+                {.folder = folder.path().string()});
+  EXPECT_EQ(all.status, 0) << all.err;
+  for (const char* name : {"frame_0001.exr", "frame_0001.png", "frame_0002.exr", "frame_0002.png"})
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "frames" / name)) << name;
+  const CommandResult one = run_plumb({"render", "generate:alpine?size=33", "--camera", "fly.toml",
+                                       "--frame", "2", "-o", "one.exr"},
+                                      {.folder = folder.path().string()});
+  EXPECT_EQ(one.status, 0) << one.err;
+  const CommandResult none = run_plumb({"truth", "generate:alpine?size=33", "--camera", "fly.toml"},
+                                       {.folder = folder.path().string()});
+  EXPECT_EQ(none.status, 2);
+  EXPECT_NE(none.err.find("path of 2 cameras"), std::string::npos) << none.err;
+}
+
+TEST(RenderCommand, AuditsEveryFrameOfAPath) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.file("fly.toml")) << kPath;
+  const CommandResult result =
+      run_plumb({"audit", "generate:alpine?size=33", "--camera", "fly.toml", "--tolerance", "1px"},
+                {.folder = folder.path().string()});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("2 of 2 frames keep every claim"), std::string::npos) << result.out;
+}
+
 }  // namespace
 }  // namespace plumb::testing

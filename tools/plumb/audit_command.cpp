@@ -123,21 +123,6 @@ struct Subject {
   double prepare_s = 0.0, draw_s = 0.0;
 };
 
-Subject draw_method(const MethodRequest& request, const terrain::Heightfield& field,
-                    const Camera& camera, Progress& progress) {
-  Subject subject;
-  progress.step("preparing the method");
-  auto start = std::chrono::steady_clock::now();
-  const auto prepared =
-      audit::prepare_method(*request.method, field, request.choice, request.tolerance);
-  subject.prepare_s = seconds_since(start);
-  progress.step("drawing");
-  start = std::chrono::steady_clock::now();
-  subject.surface = prepared->draw(camera, request.tolerance);
-  subject.draw_s = seconds_since(start);
-  return subject;
-}
-
 Subject read_subject(const AuditCommandOptions& options, Progress& progress) {
   progress.step("reading the mesh");
   terrain::MeshReadOptions read;
@@ -156,62 +141,172 @@ Subject read_subject(const AuditCommandOptions& options, Progress& progress) {
   return subject;
 }
 
+audit::AuditOptions audit_options(const AuditCommandOptions& options,
+                                  const MethodRequest& request) {
+  audit::AuditOptions result;
+  for (const std::string& text : options.limits) result.limits.push_back(audit::parse_limit(text));
+  result.nearest = !options.without_nearest;
+  (request.tolerance.unit == Unit::Pixel ? result.band.pixels : result.band.metres) =
+      request.tolerance.value;
+  return result;
+}
+
+// What all frames of a run share.
+struct Run {
+  const AuditCommandOptions& options;
+  const Invocation& invocation;
+  const MethodRequest request;
+  const audit::AuditOptions measures;
+  const terrain::Heightfield& field;
+  const audit::HeightfieldTruth& truth;
+  Progress& progress;
+  std::unique_ptr<audit::PreparedMethod> prepared;  // null where a mesh came from a file
+  Subject drawn;                                    // with the file's mesh
+};
+
+void prepare(Run& run) {
+  if (!run.options.mesh_file.empty()) {
+    run.drawn = read_subject(run.options, run.progress);
+    return;
+  }
+  run.progress.step("preparing the method");
+  const auto start = std::chrono::steady_clock::now();
+  run.prepared = audit::prepare_method(*run.request.method, run.field, run.request.choice,
+                                       run.request.tolerance);
+  run.drawn.prepare_s = seconds_since(start);
+}
+
+struct Audited {
+  AuditResult result;
+  audit::AuditSubject subject;
+  std::vector<std::string> files;
+};
+
+Audited audit_frame(Run& run, const Camera& camera, const std::string& frame) {
+  const std::string where = frame.empty() ? "" : frame + ": ";
+  if (run.prepared) {
+    run.progress.step(where + "drawing");
+    const auto start = std::chrono::steady_clock::now();
+    run.drawn.surface = run.prepared->draw(camera, run.request.tolerance);
+    run.drawn.draw_s = seconds_since(start);
+  }
+  run.progress.step(where + "casting the truth and measuring");
+  Audited audited{audit::audit_surface(run.truth, run.drawn.surface, camera, run.measures),
+                  {&run.field, run.truth.diagonal(), run.request.method->name, run.request.variant,
+                   run.request.choice.parameters, run.request.tolerance, camera,
+                   run.options.camera.camera, run.invocation.command_line()},
+                  {}};
+  audited.result.times.prepare_s = run.drawn.prepare_s;
+  audited.result.times.draw_s = run.drawn.draw_s;
+  if (!run.options.mesh_file.empty()) {
+    audited.subject.method = "mesh " + run.options.mesh_file;
+    audited.subject.variant.clear();
+  }
+  return audited;
+}
+
+void write_frame(const Run& run, Audited& audited, const std::string& folder) {
+  if (run.options.output.empty()) return;
+  run.progress.step("writing the report");
+  audited.files =
+      audit::write_report(folder, audited.result, audited.subject, run.drawn.surface, run.truth);
+}
+
+int audit_one(Run& run, const Camera& camera) {
+  Audited audited = audit_frame(run, camera, "");
+  write_frame(run, audited, run.options.output);
+  run.progress.finish();
+  const bool json = run.options.json;
+  std::cout << (json ? audit::audit_json(audited.result, audited.subject)
+                     : audit_text(audited.result));
+  if (!json) {
+    for (const std::string& note : run.drawn.surface.notes) std::cout << note << "\n";
+  }
+  if (!json && !audited.files.empty()) {
+    std::string list;
+    for (const std::string& file : audited.files) list += " " + file;
+    std::cout << "written to " << run.options.output << ":" << list << "\n";
+  }
+  return audited.result.holds() ? 0 : 1;
+}
+
+// The frame claim that is nearest to its bound, or farthest beyond it.
+const audit::ClaimResult* tightest(const AuditResult& result) {
+  const audit::ClaimResult* least = nullptr;
+  for (const audit::ClaimResult& claim : result.claims) {
+    if (claim.claim.scope != Scope::Frame || !claim.tightness()) continue;
+    if (least == nullptr || *claim.tightness() < *least->tightness()) least = &claim;
+  }
+  return least;
+}
+
+std::vector<std::string> frame_row(std::size_t number, const AuditResult& result) {
+  const audit::ClaimResult* claim = tightest(result);
+  return {std::to_string(number),
+          result.holds() ? "held" : "BROKEN",
+          claim ? claim->label : "-",
+          claim ? audit::with_unit(claim->claim.bound, claim->claim.unit) : "-",
+          claim ? audit::with_unit(claim->measured, claim->claim.unit) : "-",
+          audit::short_number(result.vertical.max),
+          std::to_string(result.coverage.holes + result.coverage.see_through),
+          std::to_string(result.cost.triangles),
+          fmt::format("{:.2f}", result.times.truth_s + result.times.measure_s)};
+}
+
+int audit_path(Run& run, const std::vector<audit::CameraDescription>& frames) {
+  std::vector<std::vector<std::string>> rows;
+  std::string json;
+  std::size_t broken = 0;
+  for (std::size_t k = 1; k <= frames.size(); ++k) {
+    const Camera camera = audit::place_camera(frames[k - 1], run.field).camera;
+    Audited audited = audit_frame(run, camera, fmt::format("frame {} of {}", k, frames.size()));
+    audited.subject.command += fmt::format(" --frame {}", k);
+    write_frame(run, audited, run.options.output + "/" + frame_name(k));
+    broken += audited.result.holds() ? 0 : 1;
+    rows.push_back(frame_row(k, audited.result));
+    if (run.options.json)
+      json += (json.empty() ? "" : ",\n") + audit::audit_json(audited.result, audited.subject);
+  }
+  run.progress.finish();
+  if (run.options.json) {
+    std::cout << "{\"schema\": \"plumb.audit-path/1\", \"frames\": [\n" << json << "]}\n";
+  } else {
+    std::cout << text_table({{"frame", true},
+                             {"verdict"},
+                             {"tightest claim"},
+                             {"claimed", true},
+                             {"measured", true},
+                             {"pixel error, px", true},
+                             {"holes", true},
+                             {"triangles", true},
+                             {"s", true}},
+                            rows)
+              << fmt::format("\n{} of {} frames keep every claim.\n", frames.size() - broken,
+                             frames.size());
+    if (!run.options.output.empty())
+      std::cout << "written to " << run.options.output << "/" << frame_name(1) << " and on\n";
+  }
+  return broken == 0 ? 0 : 1;
+}
+
 int run_audit(const AuditCommandOptions& options, const Invocation& invocation) {
   const ThreadLimit limit(options.threads);
   const MethodRequest request = method_request(options.method);
-  audit::AuditOptions audit_options;
-  for (const std::string& text : options.limits)
-    audit_options.limits.push_back(audit::parse_limit(text));
-  audit_options.nearest = !options.without_nearest;
-  (request.tolerance.unit == Unit::Pixel ? audit_options.band.pixels : audit_options.band.metres) =
-      request.tolerance.value;
-
+  const audit::AuditOptions measures = audit_options(options, request);
+  const std::vector<audit::CameraDescription> frames = camera_frames(options.camera);
   Progress progress;
   progress.step("reading the terrain");
   const terrain::Heightfield field = load(options.terrain);
-  const Camera camera = make_camera(look_at(options.camera, field));
-  const bool from_file = !options.mesh_file.empty();
-  const Subject drawn =
-      from_file ? read_subject(options, progress) : draw_method(request, field, camera, progress);
-  const DrawnSurface& surface = drawn.surface;
-  progress.step("casting the truth and measuring");
+  std::vector<Camera> checked;  // a camera that is none is known before anything is drawn
+  for (const audit::CameraDescription& frame : frames)
+    checked.push_back(audit::place_camera(frame, field).camera);
   const terrain::Diagonal diagonal = options.terrain.diagonal.empty()
                                          ? request.method->truth
                                          : terrain::parse_diagonal(options.terrain.diagonal);
   const audit::HeightfieldTruth truth(field, diagonal);
-  AuditResult result = audit::audit_surface(truth, surface, camera, audit_options);
-  result.times.prepare_s = drawn.prepare_s;
-  result.times.draw_s = drawn.draw_s;
-
-  audit::AuditSubject subject{&field,
-                              diagonal,
-                              request.method->name,
-                              request.variant,
-                              request.choice.parameters,
-                              request.tolerance,
-                              camera,
-                              options.camera.camera,
-                              invocation.command_line()};
-  if (from_file) {
-    subject.method = "mesh " + options.mesh_file;
-    subject.variant.clear();
-  }
-  std::vector<std::string> files;
-  if (!options.output.empty()) {
-    progress.step("writing the report");
-    files = audit::write_report(options.output, result, subject, surface, truth);
-  }
-  progress.finish();
-  std::cout << (options.json ? audit::audit_json(result, subject) : audit_text(result));
-  if (!options.json) {
-    for (const std::string& note : surface.notes) std::cout << note << "\n";
-  }
-  if (!options.json && !files.empty()) {
-    std::string list;
-    for (const std::string& file : files) list += " " + file;
-    std::cout << "written to " << options.output << ":" << list << "\n";
-  }
-  return result.holds() ? 0 : 1;
+  Run run{options, invocation, request, measures, field, truth, progress, nullptr, {}};
+  prepare(run);
+  return frames.size() == 1 ? audit_one(run, checked.front()) : audit_path(run, frames);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "audit/camera_path.h"
 #include "core/check.h"
 #include "core/number_text.h"
 #include "terrain/camera_presets.h"
@@ -70,35 +71,58 @@ void add_camera_options(Options& options, CameraOptions& camera) {
   for (const terrain::PresetHelp& preset : terrain::preset_help())
     presets += (presets.empty() ? "" : ", ") + preset.name;
   options.group("Camera");
-  options.text(
-      camera.camera, "--camera", "CAMERA",
-      "A preset (" + presets + "), a TOML file, or the numbers ex,ey,ez,tx,ty,tz[,fov] (oblique)");
+  options.text(camera.camera, "--camera", "CAMERA",
+               "A preset (" + presets +
+                   "), a TOML file (a camera, or a path of them), or the numbers "
+                   "ex,ey,ez,tx,ty,tz[,fov] (oblique)");
   options.text(camera.size, "--size", "WxH", "Size of the image in pixels (1920x1080)");
   options.number(camera.fov_y_deg, "--fov", "DEG", "Vertical field of view (50)");
+  options.integer(camera.frame, "--frame", "K", "This camera of a path alone, from 1", 1, 100000);
+}
+
+namespace {
+
+std::vector<audit::CameraDescription> cameras_meant(const std::string& text) {
+  std::error_code ignored;
+  if (text.ends_with(".toml") || std::filesystem::is_regular_file(text, ignored))
+    return audit::read_camera_path(text);
+  if (const auto numbers = audit::parse_camera_numbers(text)) return {*numbers};
+  audit::CameraDescription camera;
+  camera.preset = text;
+  return {camera};
+}
+
+}  // namespace
+
+std::vector<audit::CameraDescription> camera_frames(const CameraOptions& options) {
+  std::vector<audit::CameraDescription> frames = cameras_meant(options.camera);
+  if (options.frame > static_cast<int>(frames.size()))
+    input_error("--frame {}: '{}' has {} camera{}", options.frame, options.camera, frames.size(),
+                frames.size() == 1 ? "" : "s");
+  if (options.frame > 0) frames = {frames[static_cast<std::size_t>(options.frame) - 1]};
+  for (audit::CameraDescription& camera : frames) {
+    if (!options.size.empty()) {
+      const ImageSize size = parse_size(options.size);
+      camera.width_px = size.width_px;
+      camera.height_px = size.height_px;
+    }
+    if (options.fov_y_deg) camera.fov_y_deg = options.fov_y_deg;
+  }
+  return frames;
 }
 
 audit::CameraDescription camera_description(const CameraOptions& options) {
-  audit::CameraDescription camera;
-  std::error_code ignored;
-  if (options.camera.ends_with(".toml") ||
-      std::filesystem::is_regular_file(options.camera, ignored)) {
-    camera = audit::read_camera_file(options.camera);
-  } else if (const auto numbers = audit::parse_camera_numbers(options.camera)) {
-    camera = *numbers;
-  } else {
-    camera.preset = options.camera;
-  }
-  if (!options.size.empty()) {
-    const ImageSize size = parse_size(options.size);
-    camera.width_px = size.width_px;
-    camera.height_px = size.height_px;
-  }
-  if (options.fov_y_deg) camera.fov_y_deg = options.fov_y_deg;
-  return camera;
+  const std::vector<audit::CameraDescription> frames = camera_frames(options);
+  if (frames.size() != 1)
+    input_error("'{}' is a path of {} cameras: choose one with --frame", options.camera,
+                frames.size());
+  return frames.front();
 }
 
-LookAt look_at(const CameraOptions& options, const terrain::Heightfield& field) {
-  return audit::resolve_camera(camera_description(options), field);
+std::string frame_name(std::size_t frame) { return fmt::format("frame_{:04}", frame); }
+
+audit::PlacedCamera placed_camera(const CameraOptions& options, const terrain::Heightfield& field) {
+  return audit::place_camera(camera_description(options), field);
 }
 
 void add_threads_option(Options& options, int& threads) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "audit/camera_file.h"
 #include "core/camera.h"
@@ -37,17 +38,24 @@ struct CameraOptions {
   std::string camera = "oblique";
   std::string size;  // "WxH"; empty: the camera file's, or 1920x1080
   std::optional<double> fov_y_deg;
+  int frame = 0;  // of a path, from 1; 0: not said
 
   friend bool operator==(const CameraOptions&, const CameraOptions&) = default;
 };
 
 void add_camera_options(Options& options, CameraOptions& camera);
-/// The camera as far as the options say it: --size and --fov go before what a camera file says.
-/// Throws InputError.
+/// Every camera that the options mean, as far as they say it: one, or those of a path. --size and
+/// --fov go before what a camera file says, --frame chooses one of a path. Throws InputError.
+std::vector<audit::CameraDescription> camera_frames(const CameraOptions& options);
+/// The one camera that the options mean; a path without --frame is an error. As far as the options
+/// say it: --size and --fov go before what a camera file says. Throws InputError.
 audit::CameraDescription camera_description(const CameraOptions& options);
 /// The camera meant for this terrain: --size and --fov go before what a camera file says. Throws
 /// InputError.
-LookAt look_at(const CameraOptions& options, const terrain::Heightfield& field);
+audit::PlacedCamera placed_camera(const CameraOptions& options, const terrain::Heightfield& field);
+
+/// "frame_0001", for the file names of a path's frames, from 1.
+std::string frame_name(std::size_t frame);
 
 /// --threads: 0 leaves the choice to the machine.
 void add_threads_option(Options& options, int& threads);

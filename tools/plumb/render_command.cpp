@@ -6,8 +6,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "audit/ply_file.h"
 #include "audit/picture.h"
+#include "audit/ply_file.h"
 #include "audit/scene_picture.h"
 #include "command.h"
 #include "common_options.h"
@@ -17,6 +17,7 @@
 #include "image/image_files.h"
 #include "method_options.h"
 #include "progress.h"
+#include "terrain/terrain_source.h"
 #include "text_table.h"
 #include "version.h"
 
@@ -52,7 +53,7 @@ audit::Scene scene_of(const RenderOptions& options) {
   audit::Scene scene;
   scene.terrain = options.terrain.terrain;
   scene.read = read_options(options.terrain);
-  scene.camera = camera_description(options.camera);
+  scene.camera = camera_frames(options.camera).front();
   scene.method = request.method->name;
   scene.choice = request.choice;
   scene.tolerance = request.tolerance;
@@ -170,6 +171,57 @@ std::string render_json(const audit::DrawnScene& drawn, const std::vector<std::s
   return json.dump(2) + "\n";
 }
 
+// A path: every frame by its number, in a folder.
+int render_path(const RenderOptions& options, audit::Scene scene,
+                const std::vector<audit::CameraDescription>& frames, Target target,
+                const Invocation& invocation) {
+  if (target != Target::Folder || !options.mesh.empty())
+    input_error(
+        "'{}' is a path of {} cameras: -o must be a folder, and there is no --mesh (or "
+        "choose one with --frame)",
+        options.camera.camera, frames.size());
+  Progress progress;
+  progress.step("reading the terrain");
+  terrain::Heightfield field = terrain::load_terrain(scene.terrain, scene.read);
+  const fs::path folder(options.output);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) input_error("cannot make the folder '{}': {}", options.output, error.message());
+  nlohmann::ordered_json json{{"schema", "plumb.render-path/1"},
+                              {"command", invocation.command_line()}};
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t k = 1; k <= frames.size(); ++k) {
+    scene.camera = frames[k - 1];
+    progress.step(fmt::format("frame {} of {}", k, frames.size()));
+    audit::DrawnScene drawn =
+        audit::draw_scene_on(std::move(field), scene, audit::built_in_methods(), version_number());
+    const std::string name = frame_name(k);
+    image::write_exr((folder / (name + ".exr")).string(), drawn.picture);
+    image::write_png((folder / (name + ".png")).string(), audit::preview_of(drawn.picture));
+    rows.push_back({name, std::to_string(pixels_with_terrain(drawn.hits)),
+                    std::to_string(drawn.surface.cost.triangles), checksum_text(drawn),
+                    fmt::format("{:.3f}", drawn.times.prepare_s + drawn.times.draw_s)});
+    json["frames"].push_back({{"name", name},
+                              {"checksum", checksum_text(drawn)},
+                              {"triangles", drawn.surface.cost.triangles},
+                              {"scene", audit::to_toml(drawn.scene)}});
+    field = std::move(drawn.field);
+  }
+  progress.finish();
+  if (options.json) {
+    std::cout << json.dump(2) << "\n";
+  } else {
+    std::cout << text_table({{"frame"},
+                             {"pixels of terrain", true},
+                             {"triangles", true},
+                             {"checksum"},
+                             {"s", true}},
+                            rows)
+              << "written to " << options.output << "\n";
+  }
+  return 0;
+}
+
 int run_render(const RenderOptions& options, const Invocation& invocation) {
   const ThreadLimit limit(options.threads);
   const Target target = target_of(options);
@@ -177,6 +229,10 @@ int run_render(const RenderOptions& options, const Invocation& invocation) {
   if (!options.mesh.empty() && scene.painter == audit::Painter::Truth)
     input_error("--mesh '{}': rays draw no mesh; --method full has the full-detail one",
                 options.mesh);
+  if (!options.terrain.terrain.ends_with(".toml")) {
+    const std::vector<audit::CameraDescription> frames = camera_frames(options.camera);
+    if (frames.size() > 1) return render_path(options, scene, frames, target, invocation);
+  }
   Progress progress;
   const audit::DrawnScene drawn =
       audit::draw_scene(scene, audit::built_in_methods(), version_number(),

@@ -68,25 +68,25 @@ Cast cast(const std::string& caster, const terrain::Heightfield& field, terrain:
 
 // What draws the picture again, for its header.
 audit::Scene scene_of(const TruthOptions& options, const terrain::Heightfield& field,
-                      const LookAt& view) {
+                      const audit::PlacedCamera& view) {
   audit::Scene scene;
   scene.terrain = field.provenance.source;
   scene.read = read_options(options.terrain);
   scene.diagonal = options.terrain.diagonal;
-  scene.camera = audit::description_of(view);
+  scene.camera = view.description;
   scene.painter = audit::Painter::Truth;
   return scene;
 }
 
 void write_picture(const TruthOptions& options, const terrain::Heightfield& field,
-                   const HitImage& hits, const LookAt& view) {
+                   const HitImage& hits, const audit::PlacedCamera& view) {
   const std::string& path = options.output;
   audit::PictureMaker maker;
   maker.method = "truth";
   maker.diagonal = terrain::parse_diagonal(options.terrain.diagonal);
   maker.program_version = version_number();
   maker.scene_toml = audit::to_toml(scene_of(options, field, view));
-  const image::AovImage picture = audit::draw_truth_picture(field, hits, make_camera(view), maker);
+  const image::AovImage picture = audit::draw_truth_picture(field, hits, view.camera, maker);
   const std::string extension = std::filesystem::path(path).extension().string();
   if (extension == ".exr") {
     image::write_exr(path, picture);
@@ -150,8 +150,8 @@ int run_truth(const TruthOptions& options, const Invocation& invocation) {
   progress.step("reading the terrain");
   const terrain::Heightfield field = load(options.terrain);
   const terrain::Diagonal diagonal = terrain::parse_diagonal(options.terrain.diagonal);
-  const LookAt view = look_at(options.camera, field);
-  const Camera camera = make_camera(view);
+  const audit::PlacedCamera view = placed_camera(options.camera, field);
+  const Camera& camera = view.camera;
   progress.step("casting rays");
   const Cast found = cast(options.caster, field, diagonal, camera);
   std::int64_t hits = 0;

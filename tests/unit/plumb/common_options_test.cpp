@@ -42,7 +42,8 @@ TEST(ReadOptionsOfTheCommand, AreWhatTheOptionsSay) {
 }
 
 TEST(LookAtOfTheCommand, IsThePresetForTheSizeAndAngleAskedFor) {
-  const LookAt camera = look_at({"top", "200x100", 30.0}, plain());
+  const audit::CameraDescription camera =
+      placed_camera({"top", "200x100", 30.0}, plain()).description;
   const LookAt preset = terrain::preset_camera(plain(), "top", 200, 100, 30.0);
   EXPECT_EQ(camera.eye_m, preset.eye_m);
   EXPECT_EQ(camera.width_px, 200);
@@ -51,16 +52,17 @@ TEST(LookAtOfTheCommand, IsThePresetForTheSizeAndAngleAskedFor) {
 }
 
 TEST(LookAtOfTheCommand, IsTheNumbersGiven) {
-  const LookAt camera = look_at({"1,2,300,4,5,6,70", "", std::nullopt}, plain());
+  const audit::CameraDescription camera =
+      placed_camera({"1,2,300,4,5,6,70", "", std::nullopt}, plain()).description;
   EXPECT_EQ(camera.eye_m, glm::dvec3(1, 2, 300));
   EXPECT_EQ(camera.fov_y_deg, 70.0);
   EXPECT_EQ(camera.width_px, 1920);
-  EXPECT_EQ(look_at({"1,2,300,4,5,6,70", "", 20.0}, plain()).fov_y_deg, 20.0);
+  EXPECT_EQ(placed_camera({"1,2,300,4,5,6,70", "", 20.0}, plain()).description.fov_y_deg, 20.0);
 }
 
 TEST(LookAtOfTheCommand, RefusesUnknownPresetsAndMissingFiles) {
-  EXPECT_THROW(look_at({"sideways", "", std::nullopt}, plain()), InputError);
-  EXPECT_THROW(look_at({"none.toml", "", std::nullopt}, plain()), InputError);
+  EXPECT_THROW(placed_camera({"sideways", "", std::nullopt}, plain()), InputError);
+  EXPECT_THROW(placed_camera({"none.toml", "", std::nullopt}, plain()), InputError);
 }
 
 }  // namespace
