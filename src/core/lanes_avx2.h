@@ -17,6 +17,9 @@ struct Avx2Lanes {
   static Real all(double x) { return _mm256_set1_pd(x); }
   static Real load(const double* from) { return _mm256_loadu_pd(from); }
   static void store(double* to, Real x) { _mm256_storeu_pd(to, x); }
+  static void store_whole(std::int32_t* to, Real x) {
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm256_cvttpd_epi32(x));
+  }
 
   static Real least(Real a, Real b) { return _mm256_min_pd(a, b); }
   static Real greatest(Real a, Real b) { return _mm256_max_pd(a, b); }

@@ -19,13 +19,17 @@ struct Sse2Lanes {
   static Real all(double x) { return _mm_set1_pd(x); }
   static Real load(const double* from) { return _mm_loadu_pd(from); }
   static void store(double* to, Real x) { _mm_storeu_pd(to, x); }
+  /// Whole numbers of 32 bits to `to`.
+  static void store_whole(std::int32_t* to, Real x) {
+    _mm_storel_epi64(reinterpret_cast<__m128i*>(to), _mm_cvttpd_epi32(x));
+  }
 
   static Real least(Real a, Real b) { return _mm_min_pd(a, b); }
   static Real greatest(Real a, Real b) { return _mm_max_pd(a, b); }
   static Real magnitude(Real a) { return _mm_andnot_pd(_mm_set1_pd(-0.0), a); }
-  /// Largest integer <= x, for 0 <= x < 2^51.
+  /// Largest integer <= x, for |x| < 2^51.
   static Real floor(Real x) {
-    const Real shift = all(4503599627370496.0);  // 2^52: adding it rounds to an integer
+    const Real shift = all(6755399441055744.0);  // 1.5 * 2^52: adding it rounds to an integer
     const Real nearest = (x + shift) - shift;
     return nearest - _mm_and_pd(_mm_cmplt_pd(x, nearest), all(1.0));
   }

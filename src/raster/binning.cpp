@@ -7,7 +7,8 @@
 namespace plumb::raster {
 namespace {
 
-constexpr std::uint32_t kBlock = 8192;  // triangles
+constexpr std::uint32_t kBlock = 8192;      // triangles
+constexpr std::uint32_t kMostTogether = 8;  // that a filter looks at
 
 std::array<glm::dvec3, 3> corners_from_eye(const Geometry& geometry, const Triangle& triangle) {
   std::array<glm::dvec3, 3> corners;
@@ -18,6 +19,12 @@ std::array<glm::dvec3, 3> corners_from_eye(const Geometry& geometry, const Trian
 }
 
 }  // namespace
+
+Binner::Binner(const Geometry& geometry, const Tiling& tiling)
+    : geometry_(geometry),
+      tiling_(tiling),
+      filter_{geometry.vertices.data(), kClipped, tiling.width_px - 1, tiling.height_px - 1},
+      filter_triangles_(filter_triangles(instruction_set())) {}
 
 PixelBox Tiling::box(int column, int row) const {
   return {column * tile_px, row * tile_px, std::min((column + 1) * tile_px, width_px) - 1,
@@ -32,7 +39,13 @@ Tiling make_tiling(int width_px, int height_px, int tile_px) {
 void Binner::add(const std::array<ScreenVertex, 3>& corners, BinEntry entry, Block& block) const {
   const PixelBox window{0, 0, tiling_.width_px - 1, tiling_.height_px - 1};
   const PixelBox box = common_part(pixel_box(corners[0], corners[1], corners[2]), window);
-  if (box.empty() || doubled_area(corners[0], corners[1], corners[2]) == 0) return;
+  if (box.empty()) return;
+  if (box.holds_one_pixel()) {  // most triangles of a dense mesh end here
+    const EdgeFunctions edges = edge_functions(corners);
+    if (edges.doubled_area == 0 || !may_cover(edges, box)) return;
+  } else if (doubled_area(corners[0], corners[1], corners[2]) == 0) {
+    return;
+  }
   const auto tile_of = [this](int px) { return static_cast<std::uint16_t>(px / tiling_.tile_px); };
   block.candidates.push_back(
       {entry, tile_of(box.x0), tile_of(box.y0), tile_of(box.x1), tile_of(box.y1)});
@@ -54,14 +67,19 @@ void Binner::clip(std::uint32_t triangle, Block& block) const {
 void Binner::find_candidates(std::uint32_t first, std::uint32_t last, Block& block) const {
   block.candidates.clear();
   block.pieces.clear();
-  for (std::uint32_t triangle = first; triangle < last; ++triangle) {
+  if (first == last) return;
+  block.kept.resize(kBlock + kMostTogether);
+  const std::uint32_t count = filter_triangles_(filter_, geometry_.mesh->triangles[first].data(),
+                                                last - first, block.kept.data());
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const std::uint32_t triangle = first + block.kept[k];
     const Triangle& corners = geometry_.mesh->triangles[triangle];
     const ScreenVertex& a = geometry_.vertices[corners[0]];
     const ScreenVertex& b = geometry_.vertices[corners[1]];
     const ScreenVertex& c = geometry_.vertices[corners[2]];
     if (a.x != kClipped && b.x != kClipped && c.x != kClipped) {
       add({a, b, c}, {triangle, -1}, block);
-    } else if ((outcode_of(a) & outcode_of(b) & outcode_of(c)) == 0) {
+    } else {
       clip(triangle, block);
     }
   }

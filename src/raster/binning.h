@@ -9,6 +9,7 @@
 #include "core/triangle_mesh.h"
 #include "raster/clip.h"
 #include "raster/fixed_point.h"
+#include "raster/triangle_filter.h"
 #include "raster/vertex_stage.h"
 
 namespace plumb::raster {
@@ -56,7 +57,7 @@ struct Bins {
 /// snapped. A triangle that spans several tiles is entered where its edge functions reach.
 class Binner {
  public:
-  Binner(const Geometry& geometry, const Tiling& tiling) : geometry_(geometry), tiling_(tiling) {}
+  Binner(const Geometry& geometry, const Tiling& tiling);
   /// The bins of triangles [first, first + count), valid until the next call.
   const Bins& bin(std::uint32_t first, std::uint32_t count);
 
@@ -68,6 +69,7 @@ class Binner {
   struct Block {  // of consecutive triangles, that one task takes
     std::vector<Candidate> candidates;
     std::vector<ClippedPiece> pieces;
+    std::vector<std::uint32_t> kept;  // triangles that the filter leaves, from the block's first
     std::vector<std::size_t> places;  // by tile: how many entries; then, where the next one goes
   };
 
@@ -82,6 +84,8 @@ class Binner {
 
   const Geometry& geometry_;
   const Tiling& tiling_;
+  TriangleFilter filter_;
+  FilterTriangles filter_triangles_;
   std::vector<Block> blocks_;
   Bins bins_;
 };

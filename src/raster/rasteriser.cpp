@@ -1,5 +1,6 @@
 #include "raster/rasteriser.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "core/check.h"
@@ -13,17 +14,17 @@ constexpr std::size_t kLeastChunk = 8192;
 constexpr std::size_t kMostChunk = std::size_t{1} << 19;
 
 bool indices_in_range(const TriangleMesh& mesh) {
-  const std::size_t count = mesh.vertices_m.size();
-  return parallel_ordered_reduce(
-      static_cast<std::int64_t>(mesh.triangles.size()), 65536, true,
-      [&](std::int64_t begin, std::int64_t end, bool good) {
-        for (std::int64_t t = begin; t < end; ++t) {
-          const Triangle& triangle = mesh.triangles[static_cast<std::size_t>(t)];
-          good = good && triangle[0] < count && triangle[1] < count && triangle[2] < count;
-        }
-        return good;
+  if (mesh.triangles.empty()) return true;
+  static_assert(sizeof(Triangle) == 3 * sizeof(std::uint32_t));
+  const std::uint32_t* corners = mesh.triangles.front().data();
+  const std::uint32_t most = parallel_ordered_reduce(
+      static_cast<std::int64_t>(3 * mesh.triangles.size()), 196608, std::uint32_t{0},
+      [&](std::int64_t begin, std::int64_t end, std::uint32_t largest) {
+        for (std::int64_t k = begin; k < end; ++k) largest = std::max(largest, corners[k]);
+        return largest;
       },
-      [](bool a, bool b) { return a && b; });
+      [](std::uint32_t a, std::uint32_t b) { return std::max(a, b); });
+  return most < mesh.vertices_m.size();
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "core/check.h"
 #include "core/parallel.h"
+#include "raster/vertex_kernel.h"
 
 namespace plumb::raster {
 namespace {
@@ -14,11 +15,6 @@ constexpr std::int64_t kGrain = 8192;  // vertices a task takes
 
 bool finite(const glm::dvec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-bool usable(const glm::dvec3& v) {  // false for NaN
-  return std::abs(v.x) <= kFarthest_m && std::abs(v.y) <= kFarthest_m &&
-         std::abs(v.z) <= kFarthest_m;
 }
 
 }  // namespace
@@ -77,23 +73,47 @@ Projection make_projection(const Camera& camera, const glm::dvec3& mesh_origin_m
   return {camera, mesh_origin_m - camera.eye_m};
 }
 
+namespace {
+
+WindowTransform window_transform(const Projection& projection) {
+  const Camera& camera = projection.camera;
+  WindowTransform to{};
+  for (int k = 0; k < 3; ++k) {
+    to.origin[k] = projection.origin_from_eye_m[k];
+    to.right[k] = camera.right[k];
+    to.up[k] = camera.up[k];
+    to.forward[k] = camera.forward[k];
+  }
+  to.gamma_h = camera.gamma_h;
+  to.gamma_v = camera.gamma_v;
+  to.centre_x = camera.centre_px.x;
+  to.centre_y = camera.centre_px.y;
+  to.near = camera.near_m;
+  to.guard_left = kGuardBand_px + camera.centre_px.x;
+  to.guard_right = kGuardBand_px - camera.centre_px.x;
+  to.guard_top = kGuardBand_px + camera.centre_px.y;
+  to.guard_bottom = kGuardBand_px - camera.centre_px.y;
+  to.farthest = kFarthest_m;
+  to.clipped = kClipped;
+  return to;
+}
+
+}  // namespace
+
 std::vector<ScreenVertex> transform(const Projection& projection,
                                     std::span<const glm::dvec3> vertices_m) {
+  static_assert(sizeof(glm::dvec3) == 3 * sizeof(double));
   std::vector<ScreenVertex> result(vertices_m.size());
-  const auto transform_some = [&](std::int64_t begin, std::int64_t end, bool all_usable) {
-    for (std::int64_t i = begin; i < end; ++i) {
-      const glm::dvec3 from_eye_m = projection.from_eye(vertices_m[i]);
-      all_usable = all_usable && usable(from_eye_m);
-      const glm::dvec3 view_m = projection.view(from_eye_m);
-      const unsigned code = projection.outcode(view_m);
-      result[i] = code == 0 ? projection.to_window(view_m)
-                            : ScreenVertex{kClipped, static_cast<std::int32_t>(code), 0.0};
-    }
-    return all_usable;
-  };
-  const bool all_usable =
-      parallel_ordered_reduce(static_cast<std::int64_t>(vertices_m.size()), kGrain, true,
-                              transform_some, [](bool a, bool b) { return a && b; });
+  const WindowTransform to = window_transform(projection);
+  const TransformVertices kernel = transform_vertices(instruction_set());
+  const bool all_usable = parallel_ordered_reduce(
+      static_cast<std::int64_t>(vertices_m.size()), kGrain, true,
+      [&](std::int64_t begin, std::int64_t end, bool usable) {
+        return kernel(to, &vertices_m[static_cast<std::size_t>(begin)].x, end - begin,
+                      &result[static_cast<std::size_t>(begin)]) &&
+               usable;
+      },
+      [](bool a, bool b) { return a && b; });
   require(all_usable, "a mesh's vertices must be finite and within 1e30 m of the eye");
   return result;
 }
