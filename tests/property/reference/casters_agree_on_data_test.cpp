@@ -10,6 +10,7 @@
 
 #include "reference/embree_caster.h"
 #include "reference/pyramid_caster.h"
+#include "support/elevation_files.h"
 #include "support/hit_image_difference.h"
 #include "terrain/camera_presets.h"
 #include "terrain/terrain_source.h"
@@ -17,33 +18,8 @@
 namespace plumb::reference {
 namespace {
 
-struct ElevationFile {
-  const char* name;
-  std::optional<terrain::Window> window =
-      std::nullopt;  // of the ordinary run; all of it where absent
-  terrain::Decode decode = terrain::Decode::Unspecified;
-  std::optional<double> spacing_m = std::nullopt;
-
-  friend std::ostream& operator<<(std::ostream& out, const ElevationFile& file) {
-    return out << file.name;
-  }
-};
-
-const ElevationFile kFiles[] = {
-    {"taiwan_central_8193.tif", terrain::Window{4000, 3000, 1025, 900}},
-    {"narok_kenya_5840x4934.tif", terrain::Window{2000, 200, 1025, 900}},
-    {"etopo5_global_4320x2161.tif", terrain::Window{800, 500, 1025, 700}},
-    {"srtm3_alps_N46E008.tif", {}},
-    {"srtm3_canberra_S36E149.tif", {}},
-    {"N28W017.hgt", {}},
-    {"N29W014.hgt", {}},
-    {"N65E029.hgt", {}},
-    {"bigtujunga_30m.tif", {}},
-    {"jacksboro_fault_403x344.tif", {}},
-    {"ahn_dsm_0p5m_963x840.tif", {}},
-    {"martini_fuji_terrainrgb.png", {}, terrain::Decode::TerrainRgb, 31.0},
-    {"delatin_14-2625-6369_terrainrgb.png", {}, terrain::Decode::TerrainRgb, 3.8},
-};
+using test_support::ElevationFile;
+using test_support::kElevationFiles;
 
 class DataFile : public testing::TestWithParam<ElevationFile> {
  protected:
@@ -76,8 +52,8 @@ TEST_P(DataFile, IsSeenAlikeByBothCasters) { compare(false, 640, 360); }
 TEST_P(LongDataFile, IsSeenAlikeByBothCasters) { compare(true, 1920, 1080); }
 
 // The long ones carry the name that keeps them out of the ordinary run.
-INSTANTIATE_TEST_SUITE_P(CastersAgree, DataFile, testing::ValuesIn(kFiles));
-INSTANTIATE_TEST_SUITE_P(LongCastersAgree, LongDataFile, testing::ValuesIn(kFiles));
+INSTANTIATE_TEST_SUITE_P(CastersAgree, DataFile, testing::ValuesIn(kElevationFiles));
+INSTANTIATE_TEST_SUITE_P(LongCastersAgree, LongDataFile, testing::ValuesIn(kElevationFiles));
 
 }  // namespace
 }  // namespace plumb::reference
