@@ -186,7 +186,12 @@ Heightfield read_reprojected(Heightfield field, GDALDataset& source, const Windo
 
 Heightfield read_with_gdal(const std::string& file, const ReadOptions& options) {
   const Complaints complaints;
-  const Dataset dataset = open_dataset(file, complaints);
+  const bool is_unnamed = is_unnamed_hgt(file, options);
+  if (options.origin && !is_unnamed) {
+    input_error("{}: --origin is for .hgt files whose name does not state it", file);
+  }
+  const Dataset dataset =
+      is_unnamed ? open_unnamed_hgt(file, options) : open_dataset(file, complaints);
   const Channels channels = channels_of(*dataset, options, file);
   const Window window =
       window_in(options, file, dataset->GetRasterXSize(), dataset->GetRasterYSize());
@@ -200,7 +205,13 @@ Heightfield read_with_gdal(const std::string& file, const ReadOptions& options) 
       read_heights(channels, with_options(of_file, options), window, south, file, complaints);
   Provenance& p = field.provenance;
   p.assumptions.insert(p.assumptions.begin(), assumptions.begin(), assumptions.end());
-  p.format = dataset->GetDriver()->GetDescription();
+  if (is_unnamed) {
+    p.assumptions.insert(p.assumptions.begin(),
+                         fmt::format("the south-west sample was taken to stand at longitude {}, "
+                                     "latitude {} degrees: the user's origin, not the file's",
+                                     options.origin->longitude_deg, options.origin->latitude_deg));
+  }
+  p.format = is_unnamed ? "SRTMHGT" : dataset->GetDriver()->GetDescription();
   p.file_columns = dataset->GetRasterXSize();
   p.file_rows = dataset->GetRasterYSize();
   p.window_x = window.x;
