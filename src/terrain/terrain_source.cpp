@@ -97,7 +97,9 @@ Heightfield read_generated(const std::string& argument, const ReadOptions& optio
   if (options.height_offset_m != 0.0) refuse("--height-offset (its own parameter is height)");
   Heightfield field = generate(argument);
   if (!options.window) return field;
-  return cut(field, window_in(options, argument, field.columns(), field.rows()));
+  const Window window = window_in(options, argument, field.columns(), field.rows());
+  require_memory(argument, window.width, window.height, sizeof(float));
+  return cut(field, window);
 }
 
 void apply_policy(Heightfield& field, const std::string& name, const ReadOptions& options) {
