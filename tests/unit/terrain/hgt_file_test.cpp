@@ -1,6 +1,5 @@
 // SRTM tiles under names that do not say where they lie.
 #include <bit>
-#include <cmath>
 
 #include "written_files.h"
 
