@@ -54,9 +54,13 @@ std::string Complaints::text() const {
 
 void CloseDataset::operator()(GDALDataset* dataset) const { GDALClose(dataset); }
 
-Dataset open_dataset(const std::string& file, const Complaints& complaints) {
+void register_formats() {
   static std::once_flag registered;
   std::call_once(registered, [] { GDALAllRegister(); });
+}
+
+Dataset open_dataset(const std::string& file, const Complaints& complaints) {
+  register_formats();
   constexpr unsigned kFlags = GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR;
   Dataset dataset(
       static_cast<GDALDataset*>(GDALOpenEx(file.c_str(), kFlags, nullptr, nullptr, nullptr)));

@@ -31,8 +31,20 @@ struct CloseDataset {
 };
 using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
 
+/// Makes GDAL know its formats; calls after the first do nothing.
+void register_formats();
+
 /// A file with at least one raster. Throws InputError with the complaints.
 Dataset open_dataset(const std::string& file, const Complaints& complaints);
+
+/// True if `file` holds the samples of an SRTM tile or is called one (.hgt), but GDAL takes it for
+/// no format at all, as it does where the name does not state the tile's corner.
+bool is_unnamed_hgt(const std::string& file, const ReadOptions& options);
+
+/// The samples of such a file (1201 x 1201 or 3601 x 3601 big-endian int16, a degree across and up;
+/// -32768 is void) where options.origin places them, in memory. Throws InputError if the file has
+/// another size or there is no origin.
+Dataset open_unnamed_hgt(const std::string& file, const ReadOptions& options);
 
 /// What a dataset says about its place.
 FileGeoreference georeference_of(GDALDataset& dataset);

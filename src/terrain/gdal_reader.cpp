@@ -11,6 +11,7 @@
 
 #include "core/check.h"
 #include "terrain/gdal_dataset.h"
+#include "terrain/memory_check.h"
 #include "terrain/sample_decoding.h"
 
 namespace plumb::terrain {
@@ -124,6 +125,23 @@ void read_rows(GDALRasterBand& band, const Window& window, int row, GDALDataType
   }
 }
 
+/// Rows to read next: a chunk, cut where it would end within a block that the one after needs too.
+int rows_in_chunk(const Window& window, int row, int chunk, int block_rows) {
+  const int left = std::min(chunk, window.height - row);
+  if (block_rows < 1) return left;
+  const int into_block = (window.y + row) % block_rows;
+  const int to_block_end = block_rows - into_block;
+  if (left <= to_block_end) return left;
+  return left - (into_block + left) % block_rows;
+}
+
+/// GDAL keeps the blocks that it has read, up to a twentieth of the machine's memory; no block is
+/// read twice here.
+void forget_blocks(const Channels& channels) {
+  for (GDALRasterBand* band : channels.bands) band->FlushCache();
+  if (channels.mask) channels.mask->FlushCache();
+}
+
 /// The heights of a window, with what decoding met in the provenance.
 Heightfield read_heights(const Channels& channels, const SampleCoding& coding, const Window& window,
                          bool rows_run_south, const std::string& file,
@@ -134,9 +152,9 @@ Heightfield read_heights(const Channels& channels, const SampleCoding& coding, c
   const int chunk = rows_per_chunk(window.width, block_rows);
   std::vector<std::vector<double>> values(channels.bands.size());
   std::vector<std::uint8_t> mask;
-  for (int row = 0; row < window.height; row += chunk) {
-    const auto samples = static_cast<std::size_t>(std::min(chunk, window.height - row)) *
-                         static_cast<std::size_t>(window.width);
+  for (int row = 0; row < window.height;) {
+    const int rows = rows_in_chunk(window, row, chunk, block_rows);
+    const auto samples = static_cast<std::size_t>(rows) * static_cast<std::size_t>(window.width);
     for (std::size_t k = 0; k < values.size(); ++k) {
       values[k].resize(samples);
       read_rows(*channels.bands[k], window, row, GDT_Float64, values[k], file, complaints);
@@ -153,6 +171,8 @@ Heightfield read_heights(const Channels& channels, const SampleCoding& coding, c
       }
     }
     builder.add(row, {values[0], mask});
+    row += rows;
+    if ((window.y + row) % std::max(1, block_rows) == 0) forget_blocks(channels);
   }
   return builder.finish();
 }
@@ -161,7 +181,9 @@ Heightfield read_heights(const Channels& channels, const SampleCoding& coding, c
 Heightfield read_reprojected(Heightfield field, GDALDataset& source, const Window& window,
                              const ReadOptions& options, const std::string& file,
                              const Complaints& complaints) {
+  require_memory(file, field.columns(), field.rows(), sizeof(float));
   const Reprojected reprojected = reproject(field, source, window, options.crs, file, complaints);
+  field.heights_m = {};  // the copy has them
   GDALDataset& target = *reprojected.result;
   const Window all{0, 0, target.GetRasterXSize(), target.GetRasterYSize()};
   const Placement placement = place(georeference_of(target), all, options, file);
@@ -186,7 +208,12 @@ Heightfield read_reprojected(Heightfield field, GDALDataset& source, const Windo
 
 Heightfield read_with_gdal(const std::string& file, const ReadOptions& options) {
   const Complaints complaints;
-  const Dataset dataset = open_dataset(file, complaints);
+  const bool is_unnamed = is_unnamed_hgt(file, options);
+  if (options.origin && !is_unnamed) {
+    input_error("{}: --origin is for .hgt files whose name does not state it", file);
+  }
+  const Dataset dataset =
+      is_unnamed ? open_unnamed_hgt(file, options) : open_dataset(file, complaints);
   const Channels channels = channels_of(*dataset, options, file);
   const Window window =
       window_in(options, file, dataset->GetRasterXSize(), dataset->GetRasterYSize());
@@ -200,7 +227,13 @@ Heightfield read_with_gdal(const std::string& file, const ReadOptions& options) 
       read_heights(channels, with_options(of_file, options), window, south, file, complaints);
   Provenance& p = field.provenance;
   p.assumptions.insert(p.assumptions.begin(), assumptions.begin(), assumptions.end());
-  p.format = dataset->GetDriver()->GetDescription();
+  if (is_unnamed) {
+    p.assumptions.insert(p.assumptions.begin(),
+                         fmt::format("the south-west sample was taken to stand at longitude {}, "
+                                     "latitude {} degrees: the user's origin, not the file's",
+                                     options.origin->longitude_deg, options.origin->latitude_deg));
+  }
+  p.format = is_unnamed ? "SRTMHGT" : dataset->GetDriver()->GetDescription();
   p.file_columns = dataset->GetRasterXSize();
   p.file_rows = dataset->GetRasterYSize();
   p.window_x = window.x;

@@ -15,6 +15,8 @@ namespace plumb::terrain {
 /// file's mask hides are void. Integers are exact up to 2^53 before they become float32. Where the
 /// samples stand: terrain/georeference.h. With options.crs GDAL's warper resamples (bilinear) onto
 /// a grid of that system; only there the last bits are GDAL's, not ours.
+/// An .hgt file whose name does not state its corner, which GDAL refuses, is recognised by its size
+/// and placed by options.origin: the same heights, voids and spacing as under its proper name.
 /// Throws InputError, one line that holds what GDAL had to say.
 Heightfield read_with_gdal(const std::string& file, const ReadOptions& options);
 

@@ -1,8 +1,11 @@
 // The table of generators: adding one is a row here and a formula in a file of its own.
 #include "core/check.h"
 #include "terrain/alpine.h"
+#include "terrain/canyon.h"
 #include "terrain/closed_forms.h"
+#include "terrain/dunes.h"
 #include "terrain/generator_parameters.h"
+#include "terrain/urban.h"
 
 namespace plumb::terrain {
 namespace {
@@ -36,6 +39,37 @@ const std::vector<Generator>& generators() {
         {"bend", "0.35", "how far ridges are bent, in features, 0 to 10"},
         {"octaves", "0", "0: down to two spacings; else 1 to 16"}},
        alpine},
+      {"dunes",
+       "wind-blown sand, with slip faces at its angle of repose",
+       "2049",
+       "2",
+       {height("100"),
+        {"relief", "15", "of the tallest crests, metres, 0 to a seventh of the wavelength"},
+        {"wavelength", "110", "distance between crests, metres, >= 1"},
+        {"wind_deg", "280", "where the wind comes from, clockwise from north, 0 to 360"},
+        {"bend", "0.9", "how far crests are bent, 0 (straight) to 1"}},
+       dunes},
+      {"canyon",
+       "a plateau cut by a meandering gorge with terraced walls",
+       "2049",
+       "10",
+       {{"height", "700", "of the gorge's floor, metres"},
+        {"relief", "900", "from the floor to the plateau, metres, >= 0"},
+        {"width", "3500", "from rim to rim, metres, >= 1"},
+        {"bend", "0.8", "how far the river swings, in widths, 0 to 4"},
+        {"strata", "8", "layers of rock, 1 to 100"}},
+       canyon},
+      {"urban",
+       "blocks of buildings with vertical walls, between streets",
+       "1025",
+       "1",
+       {height("100"),
+        {"relief", "120", "from the lowest ground to the highest roof, metres, >= 0"},
+        {"ground", "15", "from the lowest to the highest ground, metres, 0 to the relief"},
+        {"block", "75", "depth of a block and a street, metres, >= 1; it is 1.4 times as long"},
+        {"street", "14", "width of a street, metres, 0 to 0.7 of a block"},
+        {"turn_deg", "0", "angle of the streets against the grid, -90 to 90"}},
+       urban},
       {"plane", "level ground", "257", "10", {height("100")}, plane},
       {"tilted-plane",
        "an even slope",

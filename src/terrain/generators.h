@@ -40,10 +40,13 @@ bool is_generator(const std::string& argument);
 ///   sinusoid      height + relief / 2 * sin(2 pi x / wavelength_x) * sin(2 pi y / wavelength_y)
 ///   checkerboard  height + relief where floor(i / tile) + floor(j / tile) is odd, else height
 ///   alpine        ridged multifractal: terrain/alpine.h
+///   dunes         crests across the wind with slip faces: terrain/dunes.h
+///   canyon        a gorge with terraced walls: terrain/canyon.h
+///   urban         blocks of buildings: terrain/urban.h
 ///
-///   (1) Heights do not depend on the origin. Those of alpine, plane, tilted-plane (without
-///       relief), sinusoid and checkerboard do not depend on the size either: a smaller terrain is
-///       the south-west corner of a larger one (its voids need not be).
+///   (1) Heights do not depend on the origin. Those of alpine, dunes, urban, plane, tilted-plane
+///       (without relief), sinusoid and checkerboard do not depend on the size either: a smaller
+///       terrain is the south-west corner of a larger one (its voids need not be).
 ///   (2) provenance.source names every parameter with its value, and gives the same terrain again.
 /// Throws InputError that lists the known generators or parameters for an unknown one, that says
 /// what was expected for a value that is out of range, and if the memory does not suffice.

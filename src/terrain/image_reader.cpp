@@ -1,6 +1,5 @@
 #include "terrain/image_reader.h"
 
-#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
@@ -10,7 +9,9 @@
 #include <vector>
 
 #include "core/check.h"
+#include "terrain/file_parts.h"
 #include "terrain/georeference.h"
+#include "terrain/memory_check.h"
 #include "terrain/png_file.h"
 #include "terrain/sample_decoding.h"
 
@@ -24,10 +25,9 @@ std::string one_line(std::string text) {
   return text.empty() ? text : fmt::format(" (OpenImageIO: {})", text);
 }
 
-/// An open image and, of a PNG, the bytes that it is read from.
+/// An open image and, of a PNG, the parts of the file that it is read from.
 struct Input {
-  std::vector<unsigned char> bytes;
-  std::unique_ptr<OIIO::Filesystem::IOMemReader> reader;
+  std::unique_ptr<FileParts> parts;
   std::unique_ptr<OIIO::ImageInput> image;  // goes first
 
   const OIIO::ImageSpec& spec() const { return image->spec(); }
@@ -39,16 +39,26 @@ bool is_open_exr(const std::string& file) {
          std::equal(magic, magic + 4, "\x76\x2f\x31\x01");
 }
 
-Input open(const std::string& file) {
+/// Refuses a PNG that does not fit into memory, before a decoder asks for any.
+void require_memory_for(const PngFile& png, const ReadOptions& options, const std::string& file) {
+  const Window window = window_in(options, file, png.columns, png.rows);
+  require_memory(file, window.width, window.height, sizeof(float));
+  if (png.interlaced_bytes > 0) {
+    require_memory(file, png.columns, png.rows,
+                   static_cast<int>(sizeof(float)) + png.interlaced_bytes);
+  }
+}
+
+Input open(const std::string& file, const ReadOptions& options) {
   OIIO::ImageSpec configuration;
   configuration.attribute("oiio:UnassociatedAlpha", 1);
   Input input;
   if (!is_open_exr(file)) {
-    input.bytes = read_png_pixels(file);
-    input.reader =
-        std::make_unique<OIIO::Filesystem::IOMemReader>(input.bytes.data(), input.bytes.size());
+    const PngFile png = check_png(file);
+    require_memory_for(png, options, file);
+    input.parts = std::make_unique<FileParts>(file, png.parts);
   }
-  input.image = OIIO::ImageInput::open(file, &configuration, input.reader.get());
+  input.image = OIIO::ImageInput::open(file, &configuration, input.parts.get());
   if (!input.image) {
     input_error("{}: no image that can be read{}", file, one_line(OIIO::geterror()));
   }
@@ -187,7 +197,7 @@ Heightfield read_image(const std::string& file, const ReadOptions& options) {
     input_error("{}: an image names no coordinate system to reproject from into {}", file,
                 options.crs);
   }
-  Input input = open(file);
+  Input input = open(file, options);
   const OIIO::ImageSpec spec = input.spec();
   const std::string format = input.image->format_name();
   if (spec.tile_width != 0 || spec.depth > 1) {

@@ -5,10 +5,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <string_view>
+#include <optional>
 
 #include "core/check.h"
-#include "terrain/memory_check.h"
 
 namespace plumb::terrain {
 namespace {
@@ -28,12 +27,17 @@ constexpr std::array<std::uint32_t, 256> crc_table() {
 }
 
 /// The checksum of PNG's chunks. Source: the PNG specification, annex D.
-std::uint32_t crc32(const unsigned char* bytes, std::size_t size) {
-  static constexpr std::array<std::uint32_t, 256> kTable = crc_table();
-  std::uint32_t c = 0xffffffffu;
-  for (std::size_t k = 0; k < size; ++k) c = kTable[(c ^ bytes[k]) & 0xffu] ^ (c >> 8);
-  return ~c;
-}
+class Checksum {
+ public:
+  void add(const unsigned char* bytes, std::size_t size) {
+    static constexpr std::array<std::uint32_t, 256> kTable = crc_table();
+    for (std::size_t k = 0; k < size; ++k) c_ = kTable[(c_ ^ bytes[k]) & 0xffu] ^ (c_ >> 8);
+  }
+  std::uint32_t value() const { return ~c_; }
+
+ private:
+  std::uint32_t c_ = 0xffffffffu;
+};
 
 std::uint32_t big_endian(const unsigned char* b) {
   return (std::uint32_t{b[0]} << 24) | (std::uint32_t{b[1]} << 16) | (std::uint32_t{b[2]} << 8) |
@@ -54,50 +58,109 @@ void check_header(const std::string& file, const unsigned char* data, std::size_
   if (!depth_fits) input_error("{}: its PNG header is damaged", file);
 }
 
-Bytes read_all(const std::string& file) {
-  std::error_code failed;
-  const std::uintmax_t size = std::filesystem::file_size(file, failed);
-  if (failed) input_error("{}: the file cannot be read ({})", file, failed.message());
-  if (size > available_memory_bytes()) {
-    input_error("{}: needs {} bytes of memory, there are {}", file, size, available_memory_bytes());
+int bytes_per_pixel(const unsigned char* header) {
+  const int depth = header[8], colour = header[9];
+  const int channels = colour == 2 ? 3 : colour == 4 ? 2 : colour == 6 ? 4 : 1;
+  return channels * std::max(1, depth / 8);
+}
+
+/// Reads a file once, from its start.
+class Reader {
+ public:
+  explicit Reader(const std::string& file) : file_(file), input_(file, std::ios::binary) {
+    std::error_code failed;
+    size_ = std::filesystem::file_size(file, failed);
+    if (failed) input_error("{}: the file cannot be read ({})", file, failed.message());
   }
-  Bytes bytes(static_cast<std::size_t>(size));
-  std::ifstream input(file, std::ios::binary);
-  if (!input.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size))) {
-    input_error("{}: the file cannot be read", file);
+  std::uint64_t at() const { return at_; }
+  std::uint64_t left() const { return size_ - at_; }
+
+  void read(unsigned char* bytes, std::size_t size) {
+    if (!input_.read(reinterpret_cast<char*>(bytes), static_cast<std::streamsize>(size))) {
+      input_error("{}: the file cannot be read", file_);
+    }
+    at_ += size;
   }
-  return bytes;
+
+ private:
+  const std::string& file_;
+  std::ifstream input_;
+  std::uint64_t size_ = 0, at_ = 0;
+};
+
+/// A chunk whose checksum fits.
+struct Chunk {
+  FilePart part;
+  std::string name;
+  Bytes header;  // the data of a chunk that is as short as a header
+};
+
+/// The chunk that the reader stands before; nothing if the file ends within it.
+std::optional<Chunk> read_chunk(Reader& reader, const std::string& file) {
+  Chunk chunk;
+  std::array<unsigned char, 8> frame{};
+  chunk.part.at = reader.at();
+  if (reader.left() < kChunkFrame) return std::nullopt;
+  reader.read(frame.data(), frame.size());
+  const std::uint64_t length = big_endian(frame.data());
+  if (reader.left() < length + 4) return std::nullopt;
+  chunk.part.size = length + kChunkFrame;
+  chunk.name.assign(reinterpret_cast<const char*>(frame.data()) + 4, 4);
+  Checksum sum;
+  sum.add(frame.data() + 4, 4);
+  Bytes some(static_cast<std::size_t>(std::min<std::uint64_t>(length, 65536)));
+  for (std::uint64_t done = 0; done < length;) {
+    const auto count =
+        static_cast<std::size_t>(std::min<std::uint64_t>(length - done, some.size()));
+    reader.read(some.data(), count);
+    sum.add(some.data(), count);
+    done += count;
+  }
+  if (length <= 13) chunk.header = some;
+  reader.read(frame.data(), 4);
+  if (sum.value() != big_endian(frame.data())) {
+    input_error("{}: the PNG file is damaged (checksum at byte {})", file, chunk.part.at);
+  }
+  return chunk;
+}
+
+/// Adds a part, to the one before where they touch.
+void add(std::vector<FilePart>& parts, const FilePart& more) {
+  if (parts.back().at + parts.back().size == more.at) {
+    parts.back().size += more.size;
+  } else {
+    parts.push_back(more);
+  }
 }
 
 }  // namespace
 
-std::vector<unsigned char> read_png_pixels(const std::string& file) {
-  const Bytes bytes = read_all(file);
-  if (bytes.size() < kSignature.size() ||
-      !std::equal(kSignature.begin(), kSignature.end(), bytes.begin())) {
-    input_error("{}: it is neither a PNG nor an OpenEXR file", file);
-  }
-  Bytes kept(kSignature.begin(), kSignature.end());
+PngFile check_png(const std::string& file) {
+  Reader reader(file);
+  std::array<unsigned char, kSignature.size()> signature{};
+  if (reader.left() >= signature.size()) reader.read(signature.data(), signature.size());
+  if (signature != kSignature) input_error("{}: it is neither a PNG nor an OpenEXR file", file);
+  PngFile png;
+  png.parts = {{0, signature.size()}};
   bool has_header = false, has_pixels = false;
-  for (std::size_t at = kSignature.size(); bytes.size() - at >= kChunkFrame;) {
-    const unsigned char* chunk = bytes.data() + at;
-    const std::size_t length = big_endian(chunk);
-    if (bytes.size() - at - kChunkFrame < length) break;  // the file ends within it
-    const std::string_view name(reinterpret_cast<const char*>(chunk) + 4, 4);
-    if (crc32(chunk + 4, length + 4) != big_endian(chunk + 8 + length)) {
-      input_error("{}: the PNG file is damaged (checksum at byte {})", file, at);
-    }
+  while (const auto chunk = read_chunk(reader, file)) {
+    const std::string& name = chunk->name;
     if (!has_header && name != "IHDR") input_error("{}: its PNG header is missing", file);
-    if (name == "IHDR") check_header(file, chunk + 8, length);
+    if (name == "IHDR") {
+      const Bytes& header = chunk->header;
+      check_header(file, header.data(), header.size());
+      png.columns = static_cast<int>(big_endian(header.data()));
+      png.rows = static_cast<int>(big_endian(header.data() + 4));
+      png.interlaced_bytes = header[12] == 1 ? bytes_per_pixel(header.data()) : 0;
+    }
     has_header = true;
     has_pixels = has_pixels || name == "IDAT";
-    at += length + kChunkFrame;
     if (name == "IHDR" || name == "PLTE" || name == "tRNS" || name == "IDAT" || name == "IEND") {
-      kept.insert(kept.end(), chunk, chunk + length + kChunkFrame);
+      add(png.parts, chunk->part);
     }
-    if (name == "IEND" && has_pixels) return kept;
+    if (name == "IEND" && has_pixels) return png;
   }
-  input_error("{}: the PNG file is cut off at byte {}", file, bytes.size());
+  input_error("{}: the PNG file is cut off at byte {}", file, std::filesystem::file_size(file));
 }
 
 }  // namespace plumb::terrain

@@ -32,6 +32,11 @@ std::optional<int> whole_number(const std::string& text) {
   return static_cast<int>(*value);
 }
 
+bool is_on_earth(const TileOrigin& origin) {  // false for NaN
+  return std::abs(origin.longitude_deg) <= 180.0 && origin.latitude_deg >= -90.0 &&
+         origin.latitude_deg <= 89.0;
+}
+
 bool is_positive(double value) { return value > 0.0 && std::isfinite(value); }
 
 }  // namespace
@@ -105,6 +110,19 @@ RawSize parse_raw_size(const std::string& text) {
   return {*columns, *rows};
 }
 
+TileOrigin parse_origin(const std::string& text) {
+  const auto parts = split(text, ',');
+  const auto longitude = parse_number(parts[0]);
+  const auto latitude = parts.size() == 2 ? parse_number(parts[1]) : std::nullopt;
+  if (!longitude || !latitude || !is_on_earth({*longitude, *latitude})) {
+    input_error(
+        "origin '{}': expected LONGITUDE,LATITUDE of the south-west sample in degrees, -180 to 180 "
+        "and -90 to 89",
+        text);
+  }
+  return {*longitude, *latitude};
+}
+
 ByteOrder parse_byte_order(const std::string& text) {
   for (const ByteOrder order : {ByteOrder::Little, ByteOrder::Big}) {
     if (text == name_of(order)) return order;
@@ -120,6 +138,10 @@ void check(const ReadOptions& options) {
   }
   if (options.spacing_y_m && !options.spacing_x_m) {
     input_error("a spacing of rows needs a spacing of columns: DX,DY");
+  }
+  if (options.origin && !is_on_earth(*options.origin)) {
+    input_error("origin {},{}: expected degrees, -180 to 180 and -90 to 89",
+                options.origin->longitude_deg, options.origin->latitude_deg);
   }
   if (options.band < 1) input_error("band {}: bands are counted from 1", options.band);
   if (options.height_scale == 0.0 || !std::isfinite(options.height_scale)) {

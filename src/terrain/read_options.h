@@ -34,6 +34,13 @@ struct RawSize {
   friend bool operator==(const RawSize&, const RawSize&) = default;
 };
 
+/// Where a tile's south-west sample stands, degrees.
+struct TileOrigin {
+  double longitude_deg = 0.0;  // -180 to 180
+  double latitude_deg = 0.0;   // -90 to 89, as a tile is a degree high
+  friend bool operator==(const TileOrigin&, const TileOrigin&) = default;
+};
+
 struct ReadOptions {
   std::optional<double> spacing_x_m;  // > 0; overrides what the file says
   std::optional<double> spacing_y_m;  // > 0; as spacing_x_m where absent
@@ -44,8 +51,9 @@ struct ReadOptions {
   double height_offset_m = 0.0;   // added last
   std::optional<double> no_data;  // a stored value that is void, besides the file's own
   NoDataPolicy no_data_policy = NoDataPolicy::Hole;
-  std::string crs;                  // to reproject into, "EPSG:2056"; empty: as it is
-  std::optional<RawSize> raw_size;  // of .r16 and .r32 files
+  std::optional<TileOrigin> origin;  // of an .hgt file whose name does not state it
+  std::string crs;                   // to reproject into, "EPSG:2056"; empty: as it is
+  std::optional<RawSize> raw_size;   // of .r16 and .r32 files
   ByteOrder byte_order = ByteOrder::Little;
   bool require_spacing = true;  // false: a file without spacing gets 1 m, and a line that says so
 };
@@ -62,7 +70,8 @@ struct Spacing {
 Spacing parse_spacing(const std::string& text);  // "DX" or "DX,DY", metres
 Decode parse_decode(const std::string& text);    // "grey", "terrain-rgb" or "terrarium"
 NoDataPolicy parse_no_data_policy(const std::string& text);
-RawSize parse_raw_size(const std::string& text);  // "WIDTHxHEIGHT"
+RawSize parse_raw_size(const std::string& text);   // "WIDTHxHEIGHT"
+TileOrigin parse_origin(const std::string& text);  // "LONGITUDE,LATITUDE", degrees
 ByteOrder parse_byte_order(const std::string& text);
 
 /// Throws InputError unless every option is in the range stated above.

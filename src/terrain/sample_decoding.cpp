@@ -118,11 +118,13 @@ Heightfield HeightfieldBuilder::finish() {
 }
 
 int rows_per_chunk(int columns, int block_rows) {
-  constexpr std::int64_t kSamples = 512 * 1024;
-  const std::int64_t wanted = std::max<std::int64_t>(1, kSamples / std::max(1, columns));
-  const std::int64_t block = std::clamp<std::int64_t>(block_rows, 1, 4096);
-  const std::int64_t blocks = (wanted + block - 1) / block;
-  return static_cast<int>(blocks * block);
+  constexpr std::int64_t kSamples = 512 * 1024, kMost = 16 * kSamples;
+  const std::int64_t width = std::max(1, columns);
+  const std::int64_t wanted = std::max<std::int64_t>(1, kSamples / width);
+  const std::int64_t most = std::max<std::int64_t>(1, kMost / width);
+  const std::int64_t block = std::max(1, block_rows);
+  if (block > most) return static_cast<int>(wanted);
+  return static_cast<int>((wanted + block - 1) / block * block);
 }
 
 }  // namespace plumb::terrain

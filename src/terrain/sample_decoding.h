@@ -69,7 +69,8 @@ class HeightfieldBuilder {
   DecodingTally tally_;
 };
 
-/// Fewest rows that are worth a call of a reader: about 4 MiB of doubles.
+/// Fewest rows that are worth a call of a reader: about 4 MiB of doubles, in whole blocks unless
+/// one row of those is more than 64 MiB.
 int rows_per_chunk(int columns, int block_rows = 1);
 
 }  // namespace plumb::terrain

@@ -51,6 +51,9 @@ Heightfield read_file(const std::string& file, const ReadOptions& options) {
   if (options.raw_size && !is_raw) {
     input_error("{}: --raw is the size of .r16 and .r32 files", file);
   }
+  if (options.origin && (is_raw || is_image)) {
+    input_error("{}: --origin is for .hgt files whose name does not state it", file);
+  }
   Heightfield field = is_raw     ? read_raw(file, options)
                       : is_image ? read_image(file, options)
                                  : read_with_gdal(file, options);
@@ -88,12 +91,15 @@ Heightfield read_generated(const std::string& argument, const ReadOptions& optio
   if (options.no_data) refuse("--nodata");
   if (!options.crs.empty()) refuse("--crs");
   if (options.raw_size) refuse("--raw");
+  if (options.origin) refuse("--origin (its own parameter is origin=X,Y)");
   if (options.spacing_x_m) refuse("--spacing (its own parameter is spacing=DX,DY)");
   if (options.height_scale != 1.0) refuse("--height-scale (its own parameter is relief)");
   if (options.height_offset_m != 0.0) refuse("--height-offset (its own parameter is height)");
   Heightfield field = generate(argument);
   if (!options.window) return field;
-  return cut(field, window_in(options, argument, field.columns(), field.rows()));
+  const Window window = window_in(options, argument, field.columns(), field.rows());
+  require_memory(argument, window.width, window.height, sizeof(float));
+  return cut(field, window);
 }
 
 void apply_policy(Heightfield& field, const std::string& name, const ReadOptions& options) {

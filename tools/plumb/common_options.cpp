@@ -29,6 +29,8 @@ void add_terrain_options(Options& options, TerrainOptions& terrain, bool with_di
   options.number(terrain.no_data, "--nodata", "V", "A stored value that means: no height here");
   options.choice(terrain.no_data_policy, "--no-data", {"hole", "fill"},
                  "What stands where there is no height (hole)");
+  options.text(terrain.origin, "--origin", "LON,LAT",
+               "Degrees of the south-west sample of an .hgt file whose name does not state it");
   options.text(terrain.crs, "--crs", "EPSG:N", "Reproject into this system first");
   options.text(terrain.raw_size, "--raw", "WxH", "Size of a .r16 or .r32 file");
   options.choice(terrain.byte_order, "--byte-order", {"little", "big"},
@@ -54,6 +56,7 @@ terrain::ReadOptions read_options(const TerrainOptions& options) {
   read.no_data = options.no_data;
   if (!options.no_data_policy.empty())
     read.no_data_policy = terrain::parse_no_data_policy(options.no_data_policy);
+  if (!options.origin.empty()) read.origin = terrain::parse_origin(options.origin);
   read.crs = options.crs;
   if (!options.raw_size.empty()) read.raw_size = terrain::parse_raw_size(options.raw_size);
   if (!options.byte_order.empty()) read.byte_order = terrain::parse_byte_order(options.byte_order);

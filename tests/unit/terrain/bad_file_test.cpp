@@ -200,6 +200,32 @@ TEST_F(BadFile, LargerThanMemory) {
   expect_says(message_for(file), "need 640000000000 bytes of memory, there are");
 }
 
+// The header's claim is all that is needed; checksum of "IHDR" and the 13 bytes by zlib.
+TEST_F(BadFile, PngLargerThanMemory) {
+  const std::string file = folder_.file("huge.png");
+  write_png16(file, 16, 16, std::vector<std::uint16_t>(256, 5));
+  // 400000 = 0x00061a80 columns and rows
+  const std::vector<char> size{0, 6, 0x1a, '\x80', 0, 6, 0x1a, '\x80'};
+  const std::vector<char> checksum{'\x10', '\x60', '\x11', '\xfc'};
+  std::fstream bytes(file, std::ios::binary | std::ios::in | std::ios::out);
+  bytes.seekp(16).write(size.data(), 8);
+  bytes.seekp(29).write(checksum.data(), 4);
+  bytes.close();
+  expect_says(message_for(file), "need 640000000000 bytes of memory, there are");
+}
+
+TEST_F(BadFile, BareSamplesLargerThanMemory) {
+  const std::string file = folder_.file("huge.r16");
+  write_text(file, "12");
+  std::error_code failed;
+  std::filesystem::resize_file(file, std::uintmax_t{2} * 400000 * 400000, failed);
+  if (failed) GTEST_SKIP() << "no file with a hole of 320 GB can be made here";
+  ReadOptions options;
+  options.spacing_x_m = 1.0;
+  options.raw_size = RawSize{400000, 400000};
+  expect_says(message_for(file, options), "need 640000000000 bytes of memory, there are");
+}
+
 TEST_F(BadFile, RawSizeOfAFileThatStatesItsOwn) {
   ReadOptions options;
   options.raw_size = RawSize{2, 2};

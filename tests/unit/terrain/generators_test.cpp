@@ -118,7 +118,8 @@ TEST(Generators, AlpineKeepsItsBits) {
 }
 
 TEST(Generators, ASmallerTerrainIsTheCornerOfALargerOne) {
-  for (const char* name : {"alpine", "sinusoid", "checkerboard", "tilted-plane"}) {
+  for (const char* name :
+       {"alpine", "dunes", "urban", "sinusoid", "checkerboard", "tilted-plane"}) {
     const Heightfield small = generate(std::string("generate:") + name + "?size=17x9&seed=3");
     const Heightfield large = generate(std::string("generate:") + name + "?size=40&seed=3");
     for (int j = 0; j < 9; ++j) {
@@ -188,9 +189,10 @@ TEST(Generators, DefaultsOfTheHelpAreAccepted) {
 }
 
 TEST(Generators, UnknownNamesAndParametersListTheKnownOnes) {
-  expect_says(refusal("generate:apline"),
-              "known are alpine plane tilted-plane paraboloid step "
-              "spike sinusoid checkerboard");
+  expect_says(
+      refusal("generate:apline"),
+      "known are alpine dunes canyon urban plane tilted-plane paraboloid step spike sinusoid "
+      "checkerboard");
   expect_says(refusal("generate:"), "known are alpine");
   expect_says(refusal("generate:plane?hieght=3"),
               "known are size spacing seed voids utm origin height");

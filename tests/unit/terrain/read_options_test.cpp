@@ -27,6 +27,15 @@ TEST(ReadOptionsText, Spacing) {
   }
 }
 
+TEST(ReadOptionsText, Origin) {
+  EXPECT_EQ(parse_origin("8,46"), (TileOrigin{8.0, 46.0}));
+  EXPECT_EQ(parse_origin("-70.5,-36"), (TileOrigin{-70.5, -36.0}));
+  for (const char* text :
+       {"", "8", "8,46,0", "181,0", "0,89.5", "0,-91", "nan,0", "0,inf", "E8,N46"}) {
+    EXPECT_THROW(parse_origin(text), InputError) << text;
+  }
+}
+
 TEST(ReadOptionsText, Words) {
   for (const Decode decode : {Decode::Grey, Decode::TerrainRgb, Decode::Terrarium}) {
     EXPECT_EQ(parse_decode(name_of(decode)), decode);
@@ -52,6 +61,7 @@ TEST(ReadOptionsCheck, EveryOptionHasItsRange) {
   };
   refused([](ReadOptions& o) { o.spacing_x_m = 0.0; });
   refused([](ReadOptions& o) { o.spacing_y_m = 1.0; });
+  refused([](ReadOptions& o) { o.origin = TileOrigin{0.0, 90.0}; });
   refused([](ReadOptions& o) { o.band = 0; });
   refused([](ReadOptions& o) { o.height_scale = 0.0; });
   refused([](ReadOptions& o) { o.height_scale = std::numeric_limits<double>::quiet_NaN(); });

@@ -50,7 +50,9 @@ TEST(HeightfieldBuilder, TurnsRowsThatRunSouth) {
 
 TEST(RowsPerChunk, AreWholeBlocksAndAtLeastOneRow) {
   EXPECT_EQ(rows_per_chunk(1 << 30), 1);
-  EXPECT_EQ(rows_per_chunk(1 << 30, 256), 256);
+  EXPECT_EQ(rows_per_chunk(1 << 30, 256), 1);
+  EXPECT_EQ(rows_per_chunk(16384, 512), 512);  // 2^23 samples, 64 MiB
+  EXPECT_EQ(rows_per_chunk(16385, 512), 31);
   EXPECT_EQ(rows_per_chunk(1024, 500), 1000);  // 512 rows are 4 MiB of doubles
 }
 
