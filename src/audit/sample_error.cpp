@@ -42,6 +42,7 @@ class RowMeasure {
 
   RowErrors operator()(int j, std::span<const Deviation> row) const {
     RowErrors errors;
+    errors.metres.reserve(row.size());
     Named last;
     for (int i = 0; i < truth_.field().columns(); ++i) {
       measure(i, j, row[static_cast<std::size_t>(i)], last, errors);
@@ -89,11 +90,13 @@ class RowMeasure {
     if (!(view.z >= camera_.near_m && view.z <= camera_.far_m)) return;
     const glm::dvec2 pixel = view_to_pixel(camera_, view);
     if (!inside_image(camera_, pixel)) return;
-    here.error = screen_displacement_of_view_px(camera_, view, up_, here.delta_m);
+    const double speed = screen_speed(camera_, view, up_);
+    here.error = screen_displacement_at_speed_px(speed, view.z, up_.z, here.delta_m);
     errors.pixels.push_back(static_cast<float>(here.error));
     const double small = 1e-6 * view.z;
-    errors.pixels_per_metre = std::max(
-        errors.pixels_per_metre, screen_displacement_of_view_px(camera_, view, up_, small) / small);
+    errors.pixels_per_metre =
+        std::max(errors.pixels_per_metre,
+                 screen_displacement_at_speed_px(speed, view.z, up_.z, small) / small);
     if (is_visible(pixel, view.z)) errors.visible.push_back(static_cast<float>(here.error));
     if (errors.worst_px.i < 0 || here.error > errors.worst_px.error) errors.worst_px = here;
   }
@@ -121,6 +124,20 @@ void keep_worse(WorstSample& worst, const WorstSample& other) {
   if (other.i >= 0 && (worst.i < 0 || other.error > worst.error)) worst = other;
 }
 
+// What the rows hold, one after the other; they hold it no more.
+std::vector<float> joined(std::vector<RowErrors>& rows, std::vector<float> RowErrors::*part) {
+  std::vector<std::size_t> begin(rows.size() + 1, 0);
+  for (std::size_t j = 0; j < rows.size(); ++j) begin[j + 1] = begin[j] + (rows[j].*part).size();
+  std::vector<float> all(begin.back());
+  parallel_for(static_cast<std::int64_t>(rows.size()), 64, [&](std::int64_t j) {
+    const auto row = static_cast<std::size_t>(j);
+    std::vector<float>& values = rows[row].*part;
+    std::copy(values.begin(), values.end(), all.begin() + static_cast<std::ptrdiff_t>(begin[row]));
+    std::vector<float>().swap(values);
+  });
+  return all;
+}
+
 }  // namespace
 
 bool in_frustum(const Camera& camera, const glm::dvec3& point_m) {
@@ -140,12 +157,11 @@ SampleErrors sample_errors(const HeightfieldTruth& truth, const HitImage& true_h
                         rows[static_cast<std::size_t>(j)] = measure(j, row);
                       });
   errors.patch_max_m.assign(std::max<std::size_t>(1, surface.patches.size()), 0.0);
-  std::vector<float> visible;
-  for (RowErrors& row :
-       rows) {  // from the south, so that the first of equals is the same on every machine
-    errors.values_m.insert(errors.values_m.end(), row.metres.begin(), row.metres.end());
-    errors.values_px.insert(errors.values_px.end(), row.pixels.begin(), row.pixels.end());
-    visible.insert(visible.end(), row.visible.begin(), row.visible.end());
+  errors.values_m = joined(rows, &RowErrors::metres);
+  errors.values_px = joined(rows, &RowErrors::pixels);
+  const std::vector<float> visible = joined(rows, &RowErrors::visible);
+  // From the south, so that the first of equals is the same on every machine.
+  for (const RowErrors& row : rows) {
     for (const auto& [patch, error] : row.patches) {
       double& most = errors.patch_max_m[static_cast<std::size_t>(patch)];
       most = std::max(most, error);
@@ -156,7 +172,6 @@ SampleErrors sample_errors(const HeightfieldTruth& truth, const HitImage& true_h
     errors.over_void += row.over_void;
     errors.overlapped += row.overlapped;
     errors.pixels_per_metre = std::max(errors.pixels_per_metre, row.pixels_per_metre);
-    row = RowErrors{};
   }
   errors.metres = distribution_of(errors.values_m);
   errors.pixels = distribution_of(errors.values_px);

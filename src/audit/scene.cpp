@@ -68,6 +68,8 @@ constexpr Key kTerrainKeys[] = {
     {"crs", [](Place& p, const TomlValue& v) { p.scene.read.crs = word_in(v); }},
     {"raw", [](Place& p,
                const TomlValue& v) { p.scene.read.raw_size = parsed(v, terrain::parse_raw_size); }},
+    {"origin",
+     [](Place& p, const TomlValue& v) { p.scene.read.origin = parsed(v, terrain::parse_origin); }},
     {"byte_order",
      [](Place& p, const TomlValue& v) {
        p.scene.read.byte_order = parsed(v, terrain::parse_byte_order);

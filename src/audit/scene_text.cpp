@@ -63,6 +63,9 @@ void write_terrain(Writer& to, const Scene& scene) {
   to.text("crs", read.crs);
   if (read.raw_size)
     to.text("raw", fmt::format("{}x{}", read.raw_size->columns, read.raw_size->rows));
+  if (read.origin)
+    to.raw("origin", fmt::format("[{}, {}]", toml_number(read.origin->longitude_deg),
+                                 toml_number(read.origin->latitude_deg)));
   if (read.byte_order != usual.byte_order) to.text("byte_order", name_of(read.byte_order));
   to.text("diagonal", scene.diagonal);
 }

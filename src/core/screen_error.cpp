@@ -96,13 +96,16 @@ glm::dvec3 direction_to_view(const Camera& camera, const glm::dvec3& direction) 
           glm::dot(direction, camera.forward)};
 }
 
+double screen_speed(const Camera& camera, const glm::dvec3& view_m, const glm::dvec3& axis_view) {
+  const glm::dvec2 n = velocity(camera, axis_view, view_m);
+  return std::sqrt(glm::dot(n, n));
+}
+
 double screen_displacement_of_view_px(const Camera& camera, const glm::dvec3& view_m,
                                       const glm::dvec3& axis_view, double delta_m) {
   if (delta_m == 0.0) return 0.0;
-  const double moved = view_m.z + delta_m * axis_view.z;
-  if (!(view_m.z > 0.0) || !(moved > 0.0)) return kInfinity;
-  const glm::dvec2 n = velocity(camera, axis_view, view_m);
-  return std::abs(delta_m) * std::sqrt(glm::dot(n, n)) / (view_m.z * moved);
+  return screen_displacement_at_speed_px(screen_speed(camera, view_m, axis_view), view_m.z,
+                                         axis_view.z, delta_m);
 }
 
 double screen_displacement_px(const Camera& camera, const glm::dvec3& world_m,

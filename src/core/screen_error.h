@@ -5,6 +5,9 @@
 
 #include <glm/vec3.hpp>
 
+#include <cmath>
+#include <limits>
+
 #include "core/box.h"
 #include "core/camera.h"
 
@@ -23,6 +26,19 @@ double screen_displacement_px(const Camera& camera, const glm::dvec3& world_m,
 /// them at hand.
 double screen_displacement_of_view_px(const Camera& camera, const glm::dvec3& view_m,
                                       const glm::dvec3& axis_view, double delta_m);
+
+/// N(p) of the formula: how fast a point at view coordinates moves along an axis, times its depth
+/// squared, px m. For loops that ask for several displacements of a point.
+double screen_speed(const Camera& camera, const glm::dvec3& view_m, const glm::dvec3& axis_view);
+/// screen_displacement_of_view_px of a point with that speed at depth `w`; `axis_w` is the axis's
+/// own depth component.
+inline double screen_displacement_at_speed_px(double speed, double w, double axis_w,
+                                              double delta_m) {
+  if (delta_m == 0.0) return 0.0;
+  const double moved = w + delta_m * axis_w;
+  if (!(w > 0.0) || !(moved > 0.0)) return std::numeric_limits<double>::infinity();
+  return std::abs(delta_m) * speed / (w * moved);
+}
 
 /// A direction in view coordinates.
 glm::dvec3 direction_to_view(const Camera& camera, const glm::dvec3& direction);

@@ -1,10 +1,13 @@
 #include "reference/height_blocks.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
+#include "core/check.h"
 #include "core/grid.h"
 #include "core/parallel.h"
 
@@ -13,6 +16,8 @@ namespace {
 
 static_assert(BlockSamples::kRow == HeightBlocks::kSide + 1);
 constexpr int kRow = BlockSamples::kRow;
+
+constexpr int kMostBlocks = 65536;  // a side
 
 // Far more than the roundings by which a place on a ray is known, as a share of its distance.
 constexpr double kOutside = 1e-9;
@@ -41,9 +46,12 @@ bool cell_has_triangle(const terrain::Heightfield& field, int i, int j) {
 
 HeightBlocks::HeightBlocks(const terrain::Heightfield& field, terrain::Diagonal diagonal)
     : field_(field), diagonal_(diagonal), find_sides_(block_sides(instruction_set())) {
-  across_ = (field.cell_columns() + kSide - 1) / kSide;
+  const int across = (field.cell_columns() + kSide - 1) / kSide;
   const int up = (field.cell_rows() + kSide - 1) / kSide;
-  Grid<std::uint8_t> filled(across_, up, 0);
+  require(across <= kMostBlocks && up <= kMostBlocks,
+          "a terrain has at most {} cells a side for Embree's caster, got {} x {}",
+          kMostBlocks * kSide, field.cell_columns(), field.cell_rows());
+  Grid<std::uint8_t> filled(across, up, 0);
   parallel_for(up, 16, [&](std::int64_t row) {
     const int block_j = static_cast<int>(row);
     for (int j = block_j * kSide; j < std::min((block_j + 1) * kSide, field.cell_rows()); ++j) {
@@ -52,14 +60,16 @@ HeightBlocks::HeightBlocks(const terrain::Heightfield& field, terrain::Diagonal 
       }
     }
   });
-  for (std::size_t k = 0; k < filled.size(); ++k) {
-    if (filled.values()[k]) blocks_.push_back(static_cast<std::uint32_t>(k));
+  for (int row = 0; row < up; ++row) {
+    for (int column = 0; column < across; ++column) {
+      if (filled(column, row))
+        blocks_.push_back({static_cast<std::uint16_t>(column), static_cast<std::uint16_t>(row)});
+    }
   }
 }
 
 HeightBlocks::Extent HeightBlocks::extent(std::uint32_t k) const {
-  const int block = static_cast<int>(blocks_[k]);
-  const int i0 = block % across_ * kSide, j0 = block / across_ * kSide;
+  const int i0 = blocks_[k].column * kSide, j0 = blocks_[k].row * kSide;
   return {i0, j0, std::min(kSide, field_.cell_columns() - i0) + 1,
           std::min(kSide, field_.cell_rows() - j0) + 1};
 }
@@ -76,47 +86,52 @@ Box HeightBlocks::box(std::uint32_t k) const {
   return box;
 }
 
-// A corner of a block less a point, moved by `share` of itself and of the spacing.
-glm::dvec2 HeightBlocks::corner(const Extent& e, int a, int b, const glm::dvec3& from_m,
-                                double share) const {
-  const double x = (e.i0 + a) * field_.dx_m - from_m.x, y = (e.j0 + b) * field_.dy_m - from_m.y;
-  return {x + share * (std::abs(x) + field_.dx_m), y + share * (std::abs(y) + field_.dy_m)};
+void HeightBlocks::place(std::uint32_t k, const glm::dvec3& from_m, Scratch& block) const {
+  if (block.block == k && block.from_m == from_m) return;
+  block.block = k;
+  block.from_m = from_m;
+  block.sampled = false;
+  const Extent e = extent(k);
+  const glm::dvec2 spacing(field_.dx_m, field_.dy_m), from(from_m);
+  const glm::dvec2 low = glm::dvec2(e.i0, e.j0) * spacing - from;
+  const glm::dvec2 high = glm::dvec2(e.i0 + e.columns - 1, e.j0 + e.rows - 1) * spacing - from;
+  block.low = low - kOutside * (glm::abs(low) + spacing);
+  block.high = high + kOutside * (glm::abs(high) + spacing);
 }
 
-void HeightBlocks::gather(std::uint32_t k, const glm::dvec3& from_m, Scratch& samples) const {
-  if (samples.block == k && samples.from_m == from_m) return;
-  samples.block = k;
-  samples.from_m = from_m;
-  const Extent e = extent(k);
-  std::fill_n(&samples.at.axis[0][0], 3 * BlockSamples::kPadded,
+void HeightBlocks::sample(Scratch& block) const {
+  if (block.sampled) return;
+  block.sampled = true;
+  const Extent e = extent(block.block);
+  const glm::dvec3& from_m = block.from_m;
+  std::fill_n(&block.at.axis[0][0], 3 * BlockSamples::kPadded,
               std::numeric_limits<double>::quiet_NaN());
   for (int b = 0; b < e.rows; ++b) {
     const double y = (e.j0 + b) * field_.dy_m - from_m.y;
     for (int a = 0; a < e.columns; ++a) {
       const int at = b * kRow + a;
-      samples.at.axis[0][at] = (e.i0 + a) * field_.dx_m - from_m.x;
-      samples.at.axis[1][at] = y;
-      samples.at.axis[2][at] = static_cast<double>(field_.heights_m(e.i0 + a, e.j0 + b)) - from_m.z;
+      block.at.axis[0][at] = (e.i0 + a) * field_.dx_m - from_m.x;
+      block.at.axis[1][at] = y;
+      block.at.axis[2][at] = static_cast<double>(field_.heights_m(e.i0 + a, e.j0 + b)) - from_m.z;
     }
   }
 }
 
 void HeightBlocks::meet(std::uint32_t k, const RayFrame& frame, double t_min, double t_max,
-                        RayHit& best, Scratch& samples) const {
-  const Extent e = extent(k);
-  if (!frame.passes_over(corner(e, 0, 0, frame.origin_m(), -kOutside),
-                         corner(e, e.columns - 1, e.rows - 1, frame.origin_m(), kOutside)))
-    return;
-  gather(k, frame.origin_m(), samples);
-  const double* along = samples.at.axis[frame.along()];
+                        RayHit& best, Scratch& block) const {
+  place(k, frame.origin_m(), block);
+  if (!frame.passes_over(block.low, block.high)) return;
+  sample(block);
+  const double* along = block.at.axis[frame.along()];
   BlockSides sides;
-  find_sides_({along, samples.at.axis[frame.across()], samples.at.axis[frame.up()], frame.shear_u(),
+  find_sides_({along, block.at.axis[frame.across()], block.at.axis[frame.up()], frame.shear_u(),
                frame.shear_v()},
               sides);
   // A void's coordinates are NaN, one of them or all: no triangle that has it is met.
   std::uint32_t cells = kCells & with_corner_in(sides.left) & with_corner_in(sides.right) &
                         with_corner_in(sides.below) & with_corner_in(sides.above);
   if (cells == 0) return;
+  const Extent e = extent(k);
   const auto point = [&](int at) {
     return RayPoint{sides.u[at], sides.v[at], frame.scale_t() * along[at]};
   };

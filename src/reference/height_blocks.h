@@ -24,10 +24,12 @@ class HeightBlocks {
   std::uint32_t count() const { return static_cast<std::uint32_t>(blocks_.size()); }
   /// Box of all samples of block k.
   Box box(std::uint32_t k) const;
-  /// Samples of a block relative to a point, kept from one ray to the next.
+  /// A block relative to a point, kept from one ray to the next.
   struct Scratch {
     std::uint32_t block = kNoPrimitive;
     glm::dvec3 from_m{0.0};
+    glm::dvec2 low{0.0}, high{0.0};  // its rectangle, a little larger
+    bool sampled = false;            // `at` is filled in
     BlockSamples at;
   };
   /// Improves `best` by the triangles of block k that the ray meets at t in [t_min, t_max]; of
@@ -40,14 +42,16 @@ class HeightBlocks {
     int i0, j0, columns, rows;  // in samples: one more than in cells
   };
   Extent extent(std::uint32_t k) const;
-  glm::dvec2 corner(const Extent& e, int a, int b, const glm::dvec3& from_m, double share) const;
-  void gather(std::uint32_t k, const glm::dvec3& from_m, Scratch& samples) const;
+  void place(std::uint32_t k, const glm::dvec3& from_m, Scratch& block) const;
+  void sample(Scratch& block) const;
 
   const terrain::Heightfield& field_;
   terrain::Diagonal diagonal_;
   FindBlockSides find_sides_;
-  int across_ = 0;                     // blocks in a row
-  std::vector<std::uint32_t> blocks_;  // row * across_ + column
+  struct Place {
+    std::uint16_t column, row;  // of blocks: enough for 2^18 cells a side
+  };
+  std::vector<Place> blocks_;
 };
 
 }  // namespace plumb::reference
