@@ -1,5 +1,6 @@
 #!/bin/bash
-# compare_programs.sh BUILD_DIR...: runs each stage_hashes with several numbers of threads and as on an older processor;
+# compare_programs.sh BUILD_DIR...: runs each stage_hashes with several numbers of threads, with the kernels for older
+# instruction sets, and as on an older processor;
 # every output must be the same. A build that is not there is named and left out; fewer than two leave nothing to compare (77).
 set -uo pipefail
 expected=""
@@ -42,6 +43,10 @@ for folder in "$@"; do
   programs=$((programs + 1))
   for threads in 1 2 7; do
     run "$name, $threads threads" "$program" $threads
+  done
+  for isa in sse2 avx2; do
+    [[ $isa == sse2 ]] || grep -qw "$isa" /proc/cpuinfo || continue
+    run "$name, $isa kernels" env PLUMB_ISA=$isa "$program" 2
   done
   run "$name, no FMA and AVX2" env GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2 "$program" 2
 done
