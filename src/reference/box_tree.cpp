@@ -269,6 +269,7 @@ void BoxTree::visit_ray(const Ray& ray, BoxVisitor& visitor) const {
 }
 
 void BoxTree::visit_rays(std::span<const Ray> rays, PacketVisitor& visitor) const {
+  if (!scene_->scene) return;
   require(rays.size() <= kPacket, "a packet has at most {} rays, got {}", kPacket, rays.size());
   RayWalk walk;
   walk.packet = &visitor;

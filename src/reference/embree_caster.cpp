@@ -122,16 +122,25 @@ const terrain::Heightfield& valid(const terrain::Heightfield& field) {
 
 struct EmbreeCaster::Scene {
   glm::dvec3 origin_m;
+  std::optional<Camera> seen_by;
   std::optional<HeightBlocks> blocks;  // one of these two
   std::optional<MeshTriangles> mesh;
   BoxTree tree;
 
   Scene(const terrain::Heightfield& field, terrain::Diagonal diagonal, const EmbreeOptions& options)
       : origin_m(valid(field).world_origin_m()),
-        blocks(std::in_place, field, diagonal),
+        seen_by(options.seen_by),
+        blocks(std::in_place, field, diagonal, options.seen_by),
         tree(tree_of(*blocks, options)) {}
   Scene(const TriangleMesh& triangles, const EmbreeOptions& options)
-      : origin_m(triangles.origin_m), mesh(triangles), tree(tree_of(*mesh, options)) {}
+      : origin_m(triangles.origin_m), mesh(triangles), tree(tree_of(*mesh, options)) {
+    require(!options.seen_by, "a mesh is held whole: seen_by is for heightfields");
+  }
+
+  void require_whole() const {
+    require(!seen_by,
+            "this caster holds what one camera sees: it casts that camera's frames alone");
+  }
 
   // Calls with(settler), which casts packets.
   template <class With>
@@ -158,12 +167,14 @@ EmbreeCaster& EmbreeCaster::operator=(EmbreeCaster&&) noexcept = default;
 
 RayHit EmbreeCaster::cast(const Ray& ray) const {
   require_castable(ray);
+  scene_->require_whole();
   CastStatistics unused;
   return scene_->cast(ray, unused);
 }
 
 std::vector<RayHit> EmbreeCaster::cast(std::span<const Ray> rays) const {
   for (const Ray& ray : rays) require_castable(ray);
+  scene_->require_whole();
   std::vector<RayHit> hits(rays.size());
   const std::size_t packets = (rays.size() + BoxTree::kPacket - 1) / BoxTree::kPacket;
   parallel_for(static_cast<std::int64_t>(packets), 16, [&](std::int64_t packet) {
@@ -237,6 +248,8 @@ void EmbreeCaster::cast_tile(const Camera& camera, int x0, int y0, Settler& sett
 
 HitImage EmbreeCaster::cast_frame(const Camera& camera, CastStatistics* statistics) const {
   require_castable(camera_ray(camera, 0.5, 0.5));
+  require(!scene_->seen_by || *scene_->seen_by == camera,
+          "this caster holds what another camera sees");
   HitImage image(camera.width_px, camera.height_px);
   const int tiles_x = (camera.width_px + kTile - 1) / kTile;
   const int tiles_y = (camera.height_px + kTile - 1) / kTile;

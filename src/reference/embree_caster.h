@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,7 +25,10 @@ struct CastStatistics {
 };
 
 struct EmbreeOptions {
-  std::string instruction_set;  // as BoxTree takes it; "" for the best there is
+  std::string instruction_set = {};  // as BoxTree takes it; "" for the best there is
+  /// Only what this camera's picture may show is held, for frames of this camera alone: so that a
+  /// terrain whose tree would not fit into memory has its witness all the same. Heightfields only.
+  std::optional<Camera> seen_by = std::nullopt;
 };
 
 /// Casts rays at full-detail triangles that are seen from both sides.
@@ -57,13 +61,14 @@ class EmbreeCaster {
   EmbreeCaster& operator=(EmbreeCaster&&) noexcept;
 
   /// ray.origin_m is relative to the terrain's or mesh's origin. Throws std::invalid_argument
-  /// unless origin and direction are finite, the direction not zero and 0 <= t_min.
+  /// unless origin and direction are finite, the direction not zero and 0 <= t_min, and for a
+  /// caster that holds what one camera sees alone.
   RayHit cast(const Ray& ray) const;
   /// The same for many rays, in parallel.
   std::vector<RayHit> cast(std::span<const Ray> rays) const;
 
   /// One ray through each pixel's centre; t in [near, far] is the view depth. The camera is in
-  /// world coordinates.
+  /// world coordinates, and `seen_by` if there is one (std::invalid_argument).
   HitImage cast_frame(const Camera& camera, CastStatistics* statistics = nullptr) const;
 
   /// The ray of a camera through an image point, in the surface's coordinates.

@@ -42,9 +42,33 @@ bool cell_has_triangle(const terrain::Heightfield& field, int i, int j) {
          1;
 }
 
+// False if the box lies wholly outside one of the five planes that bound a picture, which is taken
+// a pixel larger on every side: far more than roundings.
+bool may_show(const Camera& camera, const Box& box) {
+  constexpr double kMargin_px = 1.0;
+  const double left = camera.centre_px.x + kMargin_px;
+  const double right = camera.width_px - camera.centre_px.x + kMargin_px;
+  const double top = camera.centre_px.y + kMargin_px;
+  const double bottom = camera.height_px - camera.centre_px.y + kMargin_px;
+  bool seen[5] = {};
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 point{corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
+                           corner & 4 ? box.high.z : box.low.z};
+    const glm::dvec3 view = to_view(camera, point);
+    const double across = camera.gamma_h * view.x, up = camera.gamma_v * view.y;
+    seen[0] |= view.z > 0.0;
+    seen[1] |= across + left * view.z >= 0.0;
+    seen[2] |= right * view.z - across >= 0.0;
+    seen[3] |= top * view.z - up >= 0.0;
+    seen[4] |= up + bottom * view.z >= 0.0;
+  }
+  return seen[0] && seen[1] && seen[2] && seen[3] && seen[4];
+}
+
 }  // namespace
 
-HeightBlocks::HeightBlocks(const terrain::Heightfield& field, terrain::Diagonal diagonal)
+HeightBlocks::HeightBlocks(const terrain::Heightfield& field, terrain::Diagonal diagonal,
+                           const std::optional<Camera>& seen_by)
     : field_(field), diagonal_(diagonal), find_sides_(block_sides(instruction_set())) {
   const int across = (field.cell_columns() + kSide - 1) / kSide;
   const int up = (field.cell_rows() + kSide - 1) / kSide;
@@ -60,6 +84,15 @@ HeightBlocks::HeightBlocks(const terrain::Heightfield& field, terrain::Diagonal 
       }
     }
   });
+  if (seen_by) {
+    const Camera camera = relative_to(*seen_by, field.world_origin_m());
+    parallel_for(up, 16, [&](std::int64_t row) {
+      for (int column = 0; column < across; ++column) {
+        std::uint8_t& here = filled(column, static_cast<int>(row));
+        here = here && may_show(camera, box_of(extent_at(column, static_cast<int>(row))));
+      }
+    });
+  }
   for (int row = 0; row < up; ++row) {
     for (int column = 0; column < across; ++column) {
       if (filled(column, row))
@@ -68,14 +101,19 @@ HeightBlocks::HeightBlocks(const terrain::Heightfield& field, terrain::Diagonal 
   }
 }
 
-HeightBlocks::Extent HeightBlocks::extent(std::uint32_t k) const {
-  const int i0 = blocks_[k].column * kSide, j0 = blocks_[k].row * kSide;
+HeightBlocks::Extent HeightBlocks::extent_at(int column, int row) const {
+  const int i0 = column * kSide, j0 = row * kSide;
   return {i0, j0, std::min(kSide, field_.cell_columns() - i0) + 1,
           std::min(kSide, field_.cell_rows() - j0) + 1};
 }
 
-Box HeightBlocks::box(std::uint32_t k) const {
-  const Extent e = extent(k);
+HeightBlocks::Extent HeightBlocks::extent(std::uint32_t k) const {
+  return extent_at(blocks_[k].column, blocks_[k].row);
+}
+
+Box HeightBlocks::box(std::uint32_t k) const { return box_of(extent(k)); }
+
+Box HeightBlocks::box_of(const Extent& e) const {
   Box box;
   for (int j = e.j0; j < e.j0 + e.rows; ++j) {
     for (int i = e.i0; i < e.i0 + e.columns; ++i) {

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/box.h"
+#include "core/camera.h"
 #include "core/triangle_mesh.h"
 #include "reference/block_sides.h"
 #include "reference/ray_triangle.h"
@@ -19,7 +21,9 @@ class HeightBlocks {
  public:
   static constexpr int kSide = 4;
 
-  HeightBlocks(const terrain::Heightfield& field, terrain::Diagonal diagonal);
+  /// `seen_by`, in world coordinates: only blocks that its picture may show.
+  HeightBlocks(const terrain::Heightfield& field, terrain::Diagonal diagonal,
+               const std::optional<Camera>& seen_by = std::nullopt);
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(blocks_.size()); }
   /// Box of all samples of block k.
@@ -42,6 +46,8 @@ class HeightBlocks {
     int i0, j0, columns, rows;  // in samples: one more than in cells
   };
   Extent extent(std::uint32_t k) const;
+  Extent extent_at(int column, int row) const;
+  Box box_of(const Extent& extent) const;
   void place(std::uint32_t k, const glm::dvec3& from_m, Scratch& block) const;
   void sample(Scratch& block) const;
 

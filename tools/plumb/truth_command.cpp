@@ -47,12 +47,11 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-template <class Caster>
-Cast cast_with(const terrain::Heightfield& field, terrain::Diagonal diagonal,
-               const Camera& camera) {
+template <class MakeCaster>
+Cast cast_with(const MakeCaster& make_caster, const Camera& camera) {
   Cast cast;
   auto start = std::chrono::steady_clock::now();
-  const Caster caster(field, diagonal);
+  const auto caster = make_caster();
   cast.build_s = seconds_since(start);
   start = std::chrono::steady_clock::now();
   cast.hits = caster.cast_frame(camera);
@@ -62,8 +61,11 @@ Cast cast_with(const terrain::Heightfield& field, terrain::Diagonal diagonal,
 
 Cast cast(const std::string& caster, const terrain::Heightfield& field, terrain::Diagonal diagonal,
           const Camera& camera) {
-  return caster == "embree" ? cast_with<reference::EmbreeCaster>(field, diagonal, camera)
-                            : cast_with<reference::PyramidCaster>(field, diagonal, camera);
+  if (caster == "embree") {
+    return cast_with([&] { return reference::EmbreeCaster(field, diagonal, {.seen_by = camera}); },
+                     camera);
+  }
+  return cast_with([&] { return reference::PyramidCaster(field, diagonal); }, camera);
 }
 
 // What draws the picture again, for its header.

@@ -262,5 +262,25 @@ TEST(EmbreeCaster, AgreesWithBruteForceOnRandomTriangles) {
   EXPECT_GT(hits, 10000);
 }
 
+// What the camera cannot show is not held, and nothing of its picture is missing.
+TEST(EmbreeCaster, OfWhatACameraSeesCastsThatCamerasFrames) {
+  test_support::Random random(77);
+  for (int k = 0; k < 40; ++k) {
+    const terrain::Heightfield field = test_support::random_heightfield(random);
+    const auto view =
+        static_cast<test_support::View>(k % static_cast<int>(test_support::View::Count));
+    const Camera camera = test_support::random_camera(random, field, view, 40, 30);
+    const EmbreeCaster whole(field, terrain::Diagonal::Fixed);
+    const EmbreeCaster seen(field, terrain::Diagonal::Fixed, {.seen_by = camera});
+    const HitImage a = whole.cast_frame(camera), b = seen.cast_frame(camera);
+    EXPECT_EQ(a.depth_m, b.depth_m) << "scene " << k;
+    EXPECT_EQ(a.primitive, b.primitive) << "scene " << k;
+    Camera other = camera;
+    other.eye_m.z += 1.0;
+    EXPECT_THROW(seen.cast_frame(other), std::invalid_argument);
+    EXPECT_THROW(seen.cast(Ray{}), std::invalid_argument);
+  }
+}
+
 }  // namespace
 }  // namespace plumb::reference
