@@ -1,0 +1,129 @@
+#include "audit_text.h"
+
+#include <fmt/format.h>
+
+#include "audit/audit_page.h"
+#include "text_table.h"
+
+namespace plumb::tool {
+namespace {
+
+using audit::AuditResult;
+using Rows = std::vector<std::vector<std::string>>;
+
+Rows claim_rows(const AuditResult& result) {
+  Rows rows;
+  for (const audit::ClaimResult& c : result.claims) {
+    const auto tightness = c.tightness();
+    rows.push_back({c.label,
+                    c.claim.scope == Scope::Frame ? (c.is_limit ? "limit" : "frame")
+                                                  : fmt::format("patch {}", c.claim.patch),
+                    audit::with_unit(c.claim.bound, c.claim.unit),
+                    audit::with_unit(c.measured, c.claim.unit),
+                    tightness ? audit::short_number(*tightness) : "-", std::to_string(c.violations),
+                    c.holds ? "held" : "BROKEN"});
+  }
+  return rows;
+}
+
+Rows error_rows(const AuditResult& result) {
+  Rows rows;
+  const auto add = [&](const char* name, const audit::Distribution& d) {
+    rows.push_back({name, audit::short_number(d.max), audit::short_number(d.p99),
+                    audit::short_number(d.rms), std::to_string(d.count)});
+  };
+  add("sample error, m", result.samples.metres);
+  add("sample error in view, px", result.samples.pixels);
+  add("pixel error, vertical, px", result.vertical);
+  add("  from the truth, px", result.reverse_vertical);
+  if (!result.nearest.forward_px.empty()) {
+    add("pixel error, nearest, px", result.nearest.forward);
+    add("  from the truth, px", result.nearest.reverse);
+  }
+  add("depth, relative", result.depth);
+  add("normals, degrees", result.normal_deg);
+  return rows;
+}
+
+}  // namespace
+
+std::string audit_text(const AuditResult& result) {
+  std::string text = text_table({{"claim"},
+                                 {"scope"},
+                                 {"claimed", true},
+                                 {"measured", true},
+                                 {"tightness", true},
+                                 {"violations", true},
+                                 {"verdict"}},
+                                claim_rows(result));
+  text += "\n" +
+          text_table({{"error"}, {"max", true}, {"p99", true}, {"RMS", true}, {"of", true}},
+                     error_rows(result)) +
+          "\n";
+  const audit::Coverage& c = result.coverage;
+  const audit::Topology& t = result.topology;
+  const audit::AuditTimes& s = result.times;
+  text += text_table(
+      {{""}, {""}},
+      {{"coverage", fmt::format("{} holes, {} overshoots, {} see-through pixels", c.holes,
+                                c.overshoots, c.see_through)},
+       {"samples", fmt::format("{} with nothing drawn over them, {} voids drawn over",
+                               result.samples.uncovered, result.samples.over_void)},
+       {"topology",
+        fmt::format("{} open edges, {} T-junctions, {} non-manifold, {} degenerate, {} folded",
+                    t.open_edges, t.t_junctions, t.non_manifold_edges + t.non_manifold_vertices,
+                    t.degenerate_triangles, t.folded_triangles)},
+       {"drawn",
+        fmt::format("{} triangles, {} fragments", result.cost.triangles, result.cost.fragments)},
+       {"patches", fmt::format("{} claims of their own judged, {} broken", result.patch_claims,
+                               result.patch_claims_broken)},
+       {"time",
+        fmt::format("prepare {:.3f} s, draw {:.3f}, raster {:.3f}, truth {:.3f}, measures {:.3f}",
+                    s.prepare_s, s.draw_s, s.raster_s, s.truth_s, s.measure_s)}});
+  for (const audit::Offender& o : result.offenders) {
+    if (result.holds() || o.x < 0) continue;
+    text += fmt::format("worst: {} {} at pixel ({}, {}), world ({:.8g}, {:.8g}, {:.7g}){}\n",
+                        o.what, audit::with_unit(o.value, o.unit), o.x, o.y, o.world_m.x,
+                        o.world_m.y, o.world_m.z,
+                        o.patch >= 0 ? fmt::format(", patch {} ({})", o.patch, o.patch_name) : "");
+    break;
+  }
+  return text + "\n" + audit::verdict_sentence(result) + "\n";
+}
+
+namespace {
+
+// The frame claim that is nearest to its bound, or farthest beyond it.
+const audit::ClaimResult* tightest(const AuditResult& result) {
+  const audit::ClaimResult* least = nullptr;
+  for (const audit::ClaimResult& claim : result.claims) {
+    if (claim.claim.scope != Scope::Frame || !claim.tightness()) continue;
+    if (least == nullptr || *claim.tightness() < *least->tightness()) least = &claim;
+  }
+  return least;
+}
+
+}  // namespace
+
+std::vector<std::string> frame_row(std::size_t number, const AuditResult& result) {
+  const audit::ClaimResult* claim = tightest(result);
+  return {std::to_string(number),
+          result.holds() ? "held" : "BROKEN",
+          claim ? claim->label : "-",
+          claim ? audit::with_unit(claim->claim.bound, claim->claim.unit) : "-",
+          claim ? audit::with_unit(claim->measured, claim->claim.unit) : "-",
+          audit::short_number(result.vertical.max),
+          std::to_string(result.coverage.holes + result.coverage.see_through),
+          std::to_string(result.cost.triangles),
+          fmt::format("{:.2f}", result.times.truth_s + result.times.measure_s)};
+}
+
+const std::vector<TextColumn>& frame_columns() {
+  static const std::vector<TextColumn> columns{
+      {"frame", true},   {"verdict"},         {"tightest claim"},
+      {"claimed", true}, {"measured", true},  {"pixel error, px", true},
+      {"holes", true},   {"triangles", true}, {"s", true}};
+  return columns;
+}
+
+}  // namespace plumb::tool
