@@ -116,7 +116,7 @@ void touch(CarefulRay& walk, const Heightfield& field, bool north_east, int i, i
 void meet_cell(CarefulRay& walk, const Heightfield& field, Diagonal diagonal, int i, int j) {
   const Interval t = walk.inside(i, j, i + 1, j + 1);
   const double slack = t_slack(t);
-  if (!(t.low <= t.high + slack) || t.low > walk.best.t + slack) return;
+  if (!(t.low <= t.high + slack) || t.low > walk.best.t + slack || t.high < walk.t_from) return;
   const Cell cell(field, diagonal, i, j);
   const std::uint32_t first = terrain::triangle_index(field.cell_columns(), i, j, 0);
   const RayHit before = walk.best;

@@ -28,6 +28,7 @@ struct CarefulRay {
   double du, dv, dz;  // direction
   double inverse_du, inverse_dv;
   double t_min, t_max;
+  double t_from = -kNoLimit;  // nothing that ends before is looked at
   double height_slack;  // more than the roundings of z + t * dz and of a height between samples
 
   double place_slack;  // more than the roundings of u + t * du, cells

@@ -53,7 +53,7 @@ void descend(CarefulRay& walk, const Heightfield& field, Diagonal diagonal,
     const int j1 = std::min((node.j + 1) << node.level, field.cell_rows());
     const Interval t = walk.inside(node.i << node.level, node.j << node.level, i1, j1);
     const double slack = t_slack(t);
-    if (!(t.low <= t.high + slack) || t.low > walk.best.t + slack) continue;
+    if (!(t.low <= t.high + slack) || t.low > walk.best.t + slack || t.high < walk.t_from) continue;
     if (passes_by(walk, pyramid.node(node.level, node.i, node.j), t)) continue;
     const int level = node.level - 1;
     const int columns = level > 0 ? pyramid.columns(level) : field.cell_columns();
@@ -104,7 +104,7 @@ WalkLimits walk_limits(const Heightfield& field, const HeightPyramid& pyramid,
 }
 
 RayHit walk_carefully(const Heightfield& field, Diagonal diagonal, const HeightPyramid& pyramid,
-                      const Ray& ray) {
+                      const Ray& ray, double t_from) {
   if (pyramid.root().empty()) return {};
   const WalkLimits limits = walk_limits(field, pyramid, ray.origin_m);
   CarefulRay walk;
@@ -124,6 +124,7 @@ RayHit walk_carefully(const Heightfield& field, Diagonal diagonal, const HeightP
   walk.height_slack = limits.height_slack;
   walk.t_min = ray.t_min;
   walk.t_max = ray.t_max;
+  walk.t_from = t_from;
   cut_to_heights(walk, limits);
   if (!(walk.t_min <= walk.t_max)) return {};
   descend(walk, field, diagonal, pyramid);

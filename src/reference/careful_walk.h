@@ -4,6 +4,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <limits>
+
 #include "reference/height_pyramid.h"
 #include "reference/ray.h"
 #include "terrain/heightfield.h"
@@ -27,7 +29,12 @@ inline constexpr double kStillDirection = 1e-30;
 
 /// The first hit of a ray, finite and with a direction, in the terrain's coordinates. Depth first,
 /// the children that the ray meets first before the others.
+///
+/// t_from  what the ray has left before is known to be no hit, and by more than a slack, so that
+///         starting there changes no bit; the cell before must be known as well, whose side of the
+///         surface the walk remembers
 RayHit walk_carefully(const terrain::Heightfield& field, terrain::Diagonal diagonal,
-                      const HeightPyramid& pyramid, const Ray& ray);
+                      const HeightPyramid& pyramid, const Ray& ray,
+                      double t_from = -std::numeric_limits<double>::infinity());
 
 }  // namespace plumb::reference

@@ -40,7 +40,7 @@ struct LaneRays {
   int begin_level;  // level of the nodes at which they begin, 1 .. top_level
   double direction_x[kPadded], direction_y[kPadded], direction_z[kPadded];
 
-  double t[kPadded];                // +inf: no hit
+  double t[kPadded];  // +inf: no hit; of an undecided ray, where the careful walk may begin
   std::uint32_t triangle[kPadded];  // kNoPrimitive: no hit
   bool undecided[kPadded];          // nearer to an edge than rounding can tell, or along the grid
 };

@@ -120,7 +120,7 @@ class LaneWalker {
     const unsigned marks = L::bits(undecided);
     for (int lane = 0; lane < L::kCount; ++lane) {
       rays_.undecided[k + lane] = (marks >> lane & 1u) != 0;
-      rays_.t[k + lane] = kInfinity;
+      rays_.t[k + lane] = rays_.undecided[k + lane] ? -kInfinity : kInfinity;
       rays_.triangle[k + lane] = 0xffffffffu;
     }
   }
@@ -267,7 +267,11 @@ class LaneWalker {
     const Mask done = L::both(cells, L::either(hit, unsure));
     if (L::bits(done)) {
       const Mask south_east = L::same(first.crosses, begins_south_east);
-      write_down(w, done, unsure, t, L::choose(south_east, zero_, one_));
+      // A cell takes no longer than from one grid line to the next: the cell before is seen again.
+      const Real cell_before =
+          from.t - L::all(2.0) * L::least(L::magnitude(w.inverse_du), L::magnitude(w.inverse_dv));
+      write_down(w, done, unsure, L::choose(unsure, cell_before, t),
+                 L::choose(south_east, zero_, one_));
     }
     return done;
   }
@@ -283,8 +287,8 @@ class LaneWalker {
       const int lane = __builtin_ctz(left);
       const int ray = static_cast<int>(rays[lane]);
       rays_.undecided[ray] = (marks >> lane & 1u) != 0;
-      if (rays_.undecided[ray]) continue;
       rays_.t[ray] = ts[lane];
+      if (rays_.undecided[ray]) continue;
       rays_.triangle[ray] = static_cast<std::uint32_t>(triangles[lane]);
     }
   }

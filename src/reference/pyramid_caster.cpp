@@ -144,12 +144,16 @@ void PyramidCaster::cast_rect(const Camera& camera, const LaneScene& scene, Lane
     lane_walk(instruction_set())(scene, rays);
   } else {
     std::fill_n(rays.undecided, rays.count, true);
+    std::fill_n(rays.t, rays.count, -std::numeric_limits<double>::infinity());
   }
   int k = 0;
   for (int y = rect.y0; y < rect.y1; ++y) {
     for (int x = rect.x0; x < rect.x1; ++x, ++k) {
       RayHit hit{rays.t[k], rays.triangle[k]};
-      if (rays.undecided[k]) hit = cast(camera_ray(camera, x + 0.5, y + 0.5));
+      if (rays.undecided[k]) {
+        hit = walk_carefully(field_, diagonal_, pyramid_, camera_ray(camera, x + 0.5, y + 0.5),
+                             rays.t[k]);
+      }
       if (!hit) continue;
       const std::size_t pixel = image.index(x, y);
       const glm::dvec3 direction{rays.direction_x[k], rays.direction_y[k], rays.direction_z[k]};
