@@ -29,6 +29,15 @@ double outside(double at, double low, double high) {
   return at < low ? low - at : at > high ? at - high : 0.0;
 }
 
+// True if even the triangle's plane lies farther off than the best so far, by more than roundings.
+bool plane_is_beyond(const Query& query, const glm::dvec3& a, const glm::dvec3& b,
+                     const glm::dvec3& c) {
+  constexpr double kRoundings = 1e-9;
+  const glm::dvec3 normal = glm::cross(b - a, c - a);
+  const double height = glm::dot(normal, query.point - a);
+  return height * height > query.best_squared * (1.0 + kRoundings) * glm::dot(normal, normal);
+}
+
 void look_at_cell(Query& query, const Heightfield& field, terrain::Diagonal diagonal, int i,
                   int j) {
   const auto corner = [&](int a, int b) {
@@ -41,6 +50,7 @@ void look_at_cell(Query& query, const Heightfield& field, terrain::Diagonal diag
   for (int half = 0; half < 2; ++half) {
     const auto& [a, b, c] = halves[static_cast<std::size_t>(half)];
     if (std::isnan(a.z + b.z + c.z)) continue;
+    if (plane_is_beyond(query, a, b, c)) continue;
     const glm::dvec3 nearest = nearest_on_triangle(query.point, a, b, c),
                      apart = nearest - query.point;
     const double distance_squared = glm::dot(apart, apart);

@@ -8,6 +8,9 @@
 namespace plumb::reference {
 namespace {
 
+// Barycentric: far more than the roundings of a foot's coordinates.
+constexpr double kWellInside = 1e-9;
+
 bool comes_before(const glm::dvec3& a, const glm::dvec3& b) {
   if (a.x != b.x) return a.x < b.x;
   if (a.y != b.y) return a.y < b.y;
@@ -35,6 +38,18 @@ glm::dvec3 nearest_on_segment(const glm::dvec3& point, const glm::dvec3& a, cons
 
 glm::dvec3 nearest_on_triangle(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b,
                                const glm::dvec3& c) {
+  // The foot of the perpendicular, a + v * (b - a) + w * (c - a).
+  const glm::dvec3 ab = b - a, ac = c - a, ap = point - a;
+  const glm::dvec3 normal = glm::cross(ab, ac);
+  const double area_squared = glm::dot(normal, normal);
+  double v = -1.0, w = -1.0;
+  if (area_squared > 0.0) {
+    v = glm::dot(glm::cross(ap, ac), normal) / area_squared;
+    w = glm::dot(glm::cross(ab, ap), normal) / area_squared;
+    // Well inside, and nearer than any edge.
+    if (std::min({v, w, 1.0 - (v + w)}) > kWellInside) return a + (v * ab + w * ac);
+  }
+
   glm::dvec3 nearest = nearest_on_segment(point, a, b);
   double least = squared_distance(point, nearest);
   const auto offer = [&](const glm::dvec3& q) {
@@ -46,16 +61,7 @@ glm::dvec3 nearest_on_triangle(const glm::dvec3& point, const glm::dvec3& a, con
   };
   offer(nearest_on_segment(point, b, c));
   offer(nearest_on_segment(point, c, a));
-
-  // The foot of the perpendicular, a + v * (b - a) + w * (c - a), if it lies inside.
-  const glm::dvec3 ab = b - a, ac = c - a, ap = point - a;
-  const glm::dvec3 normal = glm::cross(ab, ac);
-  const double area_squared = glm::dot(normal, normal);
-  if (area_squared > 0.0) {
-    const double v = glm::dot(glm::cross(ap, ac), normal) / area_squared;
-    const double w = glm::dot(glm::cross(ab, ap), normal) / area_squared;
-    if (v > 0.0 && w > 0.0 && v + w < 1.0) offer(a + (v * ab + w * ac));
-  }
+  if (v > 0.0 && w > 0.0 && v + w < 1.0) offer(a + (v * ab + w * ac));
   return nearest;
 }
 
