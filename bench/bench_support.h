@@ -22,7 +22,8 @@ inline double user_seconds() {
          1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
 }
 
-/// The terrain that PLUMB_BENCH_TERRAIN names, a file or a generator.
+/// The terrain that PLUMB_BENCH_TERRAIN names, a file or a generator; PLUMB_BENCH_DECODE, _SPACING
+/// and _WINDOW stand for the command's options.
 inline const terrain::Heightfield& bench_terrain() {
   static const terrain::Heightfield field = [] {
     const char* named = std::getenv("PLUMB_BENCH_TERRAIN");
@@ -31,6 +32,8 @@ inline const terrain::Heightfield& bench_terrain() {
       options.decode = terrain::parse_decode(decode);
     if (const char* spacing = std::getenv("PLUMB_BENCH_SPACING"))
       options.spacing_x_m = options.spacing_y_m = std::atof(spacing);
+    if (const char* window = std::getenv("PLUMB_BENCH_WINDOW"))
+      options.window = terrain::parse_window(window);
     return terrain::load_terrain(named ? named : "generate:alpine?size=4097", options);
   }();
   return field;

@@ -126,7 +126,7 @@ void add(const std::string& name, Function function, Arguments... arguments) {
                                [=](benchmark::State& state) { function(state, arguments...); })
       ->UseManualTime()
       ->Unit(benchmark::kMillisecond)
-      ->MinTime(1.0);
+      ->MinTime(0.5);
 }
 
 }  // namespace
