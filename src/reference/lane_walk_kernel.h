@@ -39,6 +39,7 @@ class LaneWalker {
     Real du, dv, dz, inverse_du, inverse_dv, end, t_low, ray;
     Real t, x, y, size, level;  // (x, y): the node's south-west corner, in cells; level: + kTag
     Mask alive;
+    Mask close;  // in a cell that the ray does not pass over or under: its triangles are to be met
 
     PLUMB_INLINE Real u_at(Real u) const { return u + t * du; }
     PLUMB_INLINE Real v_at(Real v) const { return v + t * dv; }
@@ -176,6 +177,23 @@ class LaneWalker {
     const Mask over = L::less(range.second, L::least(z_in, z_out) - height_slack_);
     const Mask under = L::less(L::greatest(z_in, z_out) + height_slack_, range.first);
     return L::both(nodes, L::either(over, under));
+  }
+
+  // The same of cells, by their four corners. A void compares as nothing.
+  PLUMB_INLINE Mask pass_by_cell(const Walkers& w, const Exit& exit, Mask cells) const {
+    const Real index = w.y * L::all(scene_.columns) + w.x;
+    const float* north_row = scene_.heights + static_cast<std::int64_t>(scene_.columns);
+    const auto south = L::template gather<1>(scene_.heights, index, cells);
+    const auto north = L::template gather<1>(north_row, index, cells);
+    const Real z_in = z_ + w.t * w.dz, z_out = z_ + exit.t * w.dz;
+    const Real lowest = L::least(z_in, z_out) - height_slack_;
+    const Real highest = L::greatest(z_in, z_out) + height_slack_;
+    const Mask over = L::both(L::both(L::less(south.first, lowest), L::less(south.second, lowest)),
+                              L::both(L::less(north.first, lowest), L::less(north.second, lowest)));
+    const Mask under =
+        L::both(L::both(L::less(highest, south.first), L::less(highest, south.second)),
+                L::both(L::less(highest, north.first), L::less(highest, north.second)));
+    return L::both(cells, L::either(over, under));
   }
 
   PLUMB_INLINE Mask rising(Real x, Real y) const {
@@ -329,16 +347,23 @@ class LaneWalker {
     if (!alive) return;
     const Mask in_cell = L::both(w.alive, L::equal(w.level, L::all(kTag)));
     const Mask in_node = L::without(w.alive, in_cell);
-    const int cells = __builtin_popcount(L::bits(in_cell));
     const Exit exit = exit_of(w);
     Mask passed = L::mask(0), entered = L::mask(0), done = L::mask(0);
     if (L::bits(in_node)) {
       passed = pass_by(w, exit, in_node);
       entered = L::without(in_node, passed);
     }
-    if (cells >= kCellsAt || !L::bits(in_node)) {
-      done = meet_cells(w, exit, in_cell);
-      passed = L::either(passed, L::without(in_cell, done));
+    const Mask fresh = L::without(in_cell, w.close);
+    if (L::bits(fresh)) {
+      const Mask clear = pass_by_cell(w, exit, fresh);
+      passed = L::either(passed, clear);
+      w.close = L::either(w.close, L::without(fresh, clear));
+    }
+    const Mask close = L::both(in_cell, w.close);
+    if (__builtin_popcount(L::bits(close)) >= kCellsAt || !L::bits(L::either(passed, entered))) {
+      done = meet_cells(w, exit, close);
+      passed = L::either(passed, L::without(close, done));
+      w.close = L::without(w.close, close);
     }
     done = L::either(done, L::both(passed, L::less_equal(w.end, exit.t)));
     move(w, exit, passed, entered);
@@ -356,7 +381,7 @@ class LaneWalker {
       w.t = w.x = w.y = zero_;
       w.size = one_;
       w.level = L::all(kTag);
-      w.alive = L::mask(0);
+      w.alive = w.close = L::mask(0);
     }
     for (unsigned alive = 1; alive || next_ < rays_.count;) {
       alive = 0;
