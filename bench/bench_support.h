@@ -68,4 +68,16 @@ inline void set_rate(benchmark::State& state, const char* name, double count) {
       benchmark::Counter(1e-6 * count, benchmark::Counter::kIsIterationInvariantRate);
 }
 
+inline constexpr const char* kPresets[] = {"oblique", "top", "valley", "grazing"};
+
+/// Registers function(state, arguments...) under a name, timed as `measure` says.
+template <class Function, class... Arguments>
+void add(const std::string& name, Function function, Arguments... arguments) {
+  benchmark::RegisterBenchmark(name.c_str(),
+                               [=](benchmark::State& state) { function(state, arguments...); })
+      ->UseManualTime()
+      ->Unit(benchmark::kMillisecond)
+      ->MinTime(1.0);
+}
+
 }  // namespace plumb::bench

@@ -13,7 +13,6 @@
 namespace plumb::bench {
 namespace {
 
-constexpr const char* kPresets[] = {"oblique", "top", "valley", "grazing"};
 constexpr double kRays = 1920.0 * 1080.0;
 
 const reference::PyramidCaster& pyramid() {
@@ -118,15 +117,6 @@ void bare_frame(benchmark::State& state, const char* preset, bool packets) {
   state.counters["build_user_s"] = embree.build_user_s();
   state.counters["bytes_per_triangle"] =
       static_cast<double>(embree.bytes()) / triangles_of(bench_terrain());
-}
-
-template <class Function, class... Arguments>
-void add(const std::string& name, Function function, Arguments... arguments) {
-  benchmark::RegisterBenchmark(name.c_str(),
-                               [=](benchmark::State& state) { function(state, arguments...); })
-      ->UseManualTime()
-      ->Unit(benchmark::kMillisecond)
-      ->MinTime(0.5);
 }
 
 }  // namespace

@@ -12,8 +12,6 @@
 namespace plumb::bench {
 namespace {
 
-constexpr const char* kPresets[] = {"oblique", "top", "valley", "grazing"};
-
 const TriangleMesh& full_mesh() {
   static const auto mesh = [] {
     const auto prepared = mesh::full::prepare(bench_terrain());
@@ -59,15 +57,6 @@ void mesa_frame(benchmark::State& state, const char* preset) {
   set_rate(state, "Mtriangles/s", static_cast<double>(full_mesh().triangles.size()));
 }
 #endif
-
-template <class Function, class... Arguments>
-void add(const std::string& name, Function function, Arguments... arguments) {
-  benchmark::RegisterBenchmark(name.c_str(),
-                               [=](benchmark::State& state) { function(state, arguments...); })
-      ->UseManualTime()
-      ->Unit(benchmark::kMillisecond)
-      ->MinTime(1.0);
-}
 
 }  // namespace
 }  // namespace plumb::bench

@@ -19,6 +19,12 @@ std::vector<InstructionSet> available_instruction_sets();
 /// processor lacks.
 InstructionSet instruction_set();
 
+/// Which of a kernel's three versions is for `set`.
+template <class Kernel>
+Kernel kernel_for(InstructionSet set, Kernel sse2, Kernel avx2, Kernel avx512) {
+  return set == InstructionSet::Avx512 ? avx512 : set == InstructionSet::Avx2 ? avx2 : sse2;
+}
+
 /// While it lives, kernels use `set`. For tests, one at a time; `set` must be available.
 class ForcedInstructionSet {
  public:

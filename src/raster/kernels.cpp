@@ -15,27 +15,12 @@ std::uint32_t filter_triangles_avx512(const TriangleFilter&, const std::uint32_t
                                       std::uint32_t*);
 
 TransformVertices transform_vertices(InstructionSet set) {
-  switch (set) {
-    case InstructionSet::Sse2:
-      return transform_vertices_sse2;
-    case InstructionSet::Avx2:
-      return transform_vertices_avx2;
-    case InstructionSet::Avx512:
-      return transform_vertices_avx512;
-  }
-  return transform_vertices_sse2;
+  return kernel_for(set, transform_vertices_sse2, transform_vertices_avx2,
+                    transform_vertices_avx512);
 }
 
 FilterTriangles filter_triangles(InstructionSet set) {
-  switch (set) {
-    case InstructionSet::Sse2:
-      return filter_triangles_sse2;
-    case InstructionSet::Avx2:
-      return filter_triangles_avx2;
-    case InstructionSet::Avx512:
-      return filter_triangles_avx512;
-  }
-  return filter_triangles_sse2;
+  return kernel_for(set, filter_triangles_sse2, filter_triangles_avx2, filter_triangles_avx512);
 }
 
 }  // namespace plumb::raster

@@ -7,15 +7,7 @@ void find_block_sides_avx2(const BlockView& view, BlockSides& sides);
 void find_block_sides_avx512(const BlockView& view, BlockSides& sides);
 
 FindBlockSides block_sides(InstructionSet set) {
-  switch (set) {
-    case InstructionSet::Sse2:
-      return find_block_sides_sse2;
-    case InstructionSet::Avx2:
-      return find_block_sides_avx2;
-    case InstructionSet::Avx512:
-      return find_block_sides_avx512;
-  }
-  return find_block_sides_sse2;
+  return kernel_for(set, find_block_sides_sse2, find_block_sides_avx2, find_block_sides_avx512);
 }
 
 }  // namespace plumb::reference

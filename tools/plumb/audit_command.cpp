@@ -152,13 +152,13 @@ int audit_one(Run& run, const Camera& camera) {
   return audited.result.holds() ? 0 : 1;
 }
 
-int audit_path(Run& run, const std::vector<audit::CameraDescription>& frames) {
+int audit_path(Run& run, const std::vector<Camera>& frames) {
   std::vector<std::vector<std::string>> rows;
   std::string json;
   std::size_t broken = 0;
   for (std::size_t k = 1; k <= frames.size(); ++k) {
-    const Camera camera = audit::place_camera(frames[k - 1], run.field).camera;
-    Audited audited = audit_frame(run, camera, fmt::format("frame {} of {}", k, frames.size()));
+    Audited audited =
+        audit_frame(run, frames[k - 1], fmt::format("frame {} of {}", k, frames.size()));
     audited.subject.command += fmt::format(" --frame {}", k);
     write_frame(run, audited, run.options.output + "/" + frame_name(k));
     broken += audited.result.holds() ? 0 : 1;
@@ -183,20 +183,20 @@ int run_audit(const AuditCommandOptions& options, const Invocation& invocation) 
   const ThreadLimit limit(options.threads);
   const MethodRequest request = method_request(options.method);
   const audit::AuditOptions measures = audit_options(options, request);
-  const std::vector<audit::CameraDescription> frames = camera_frames(options.camera);
+  const std::vector<audit::CameraDescription> described = camera_frames(options.camera);
   Progress progress;
   progress.step("reading the terrain");
   const terrain::Heightfield field = load(options.terrain);
-  std::vector<Camera> checked;  // a camera that is none is known before anything is drawn
-  for (const audit::CameraDescription& frame : frames)
-    checked.push_back(audit::place_camera(frame, field).camera);
+  std::vector<Camera> frames;  // a camera that is none is known before anything is drawn
+  for (const audit::CameraDescription& frame : described)
+    frames.push_back(audit::place_camera(frame, field).camera);
   const terrain::Diagonal diagonal = options.terrain.diagonal.empty()
                                          ? request.method->truth
                                          : terrain::parse_diagonal(options.terrain.diagonal);
   const audit::HeightfieldTruth truth(field, diagonal);
   Run run{options, invocation, request, measures, field, truth, progress, nullptr, {}};
   prepare(run);
-  return frames.size() == 1 ? audit_one(run, checked.front()) : audit_path(run, frames);
+  return frames.size() == 1 ? audit_one(run, frames.front()) : audit_path(run, frames);
 }
 
 }  // namespace

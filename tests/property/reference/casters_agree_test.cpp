@@ -77,9 +77,9 @@ std::size_t wrong_triangles(const Heightfield& field, Diagonal diagonal, const C
   for (std::size_t k = 0; k < image.size(); ++k) {
     if (!image.hit(k) || image.primitive[k] == truth.primitive[k]) continue;
     const int x = static_cast<int>(k % camera.width_px), y = static_cast<int>(k / camera.width_px);
-    const auto ray = test_support::wide_ray<long double>(
-        camera.eye_m, field.world_origin_m(), ray_direction(camera, x + 0.5, y + 0.5),
-        camera.near_m, camera.far_m);
+    const auto ray = test_support::wide_ray<long double>(camera.eye_m, field.world_origin_m(),
+                                                         ray_direction(camera, x + 0.5, y + 0.5),
+                                                         camera.near_m, camera.far_m);
     const std::uint32_t index = image.primitive[k];
     const int cell = static_cast<int>(index / 2);
     test_support::WideHit<long double> hit;
