@@ -58,7 +58,7 @@ void embree_caster_frame(benchmark::State& state, const char* preset) {
 
 // Embree's part of the caster's work alone: its tree of blocks proposes as it does for the caster,
 // and what double arithmetic found is looked up instead of computed.
-class Replay final : public reference::PacketVisitor {
+class Replay final : public reference::RayVisitor {
  public:
   Replay(const HitImage& hits, int cells_across) : hits_(hits), cells_across_(cells_across) {}
   void at(std::size_t pixel, int number) { pixels_[static_cast<std::size_t>(number)] = pixel; }

@@ -58,17 +58,11 @@ struct RayScale {
   float limit(double t_max) const { return round_up(t_max * scale - start + margin); }
 };
 
-// What travels with rays: Embree hands the context's address back to visit_on_ray. One of the
-// visitors is set.
+// What travels with rays: Embree hands the context's address back to visit_on_ray.
 struct RayWalk {
   EmbreeRayContext context;  // first, so that its address is the walk's
-  BoxVisitor* single = nullptr;
-  PacketVisitor* packet = nullptr;
+  RayVisitor* visitor;
   std::array<RayScale, BoxTree::kPacket> scales;
-
-  double visit(std::uint32_t primitive, unsigned ray) const {
-    return single ? single->visit(primitive) : packet->visit(primitive, static_cast<int>(ray));
-  }
 };
 
 // Embree may hand out a packet in parts: a ray knows its number.
@@ -80,7 +74,8 @@ void visit_on_ray(const RTCIntersectFunctionNArguments* arguments) {
   for (unsigned k = 0; k < count; ++k) {
     if (arguments->valid[k] == 0) continue;
     const unsigned ray = RTCRayN_id(rays, count, k);
-    const float limit = walk.scales[ray].limit(walk.visit(arguments->primID, ray));
+    const float limit =
+        walk.scales[ray].limit(walk.visitor->visit(arguments->primID, static_cast<int>(ray)));
     if (!(limit < RTCRayN_tfar(rays, count, k))) continue;
     RTCRayN_tfar(rays, count, k) = limit;
     RTCHitN_geomID(hits, count, k) = arguments->geomID;
@@ -103,7 +98,7 @@ bool count_memory(void* user, std::ptrdiff_t bytes, bool /*post*/) {
 }
 
 struct BallWalk {
-  BoxVisitor* visitor;
+  BallVisitor* visitor;
   double margin;
 
   // Distances of boxes are rounded relative to themselves; the margin covers the rest.
@@ -247,33 +242,12 @@ std::optional<BoxTree::Entry> BoxTree::enter(const Ray& ray) const {
   return entry;
 }
 
-void BoxTree::visit_ray(const Ray& ray, BoxVisitor& visitor) const {
-  const std::optional<Entry> entry = enter(ray);
-  if (!entry) return;
-  RayWalk walk;
-  walk.single = &visitor;
-  walk.scales[0] = {entry->scale, entry->start, scene_->margin};
-  start(walk.context);
-  RTCRayHit query{};
-  query.ray.org_x = static_cast<float>(entry->origin.x);
-  query.ray.org_y = static_cast<float>(entry->origin.y);
-  query.ray.org_z = static_cast<float>(entry->origin.z);
-  query.ray.dir_x = static_cast<float>(entry->direction.x);
-  query.ray.dir_y = static_cast<float>(entry->direction.y);
-  query.ray.dir_z = static_cast<float>(entry->direction.z);
-  query.ray.tfar = round_up(entry->length);
-  query.ray.mask = 0xffffffffu;
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  intersect(scene_->scene, walk.context, query);
-}
-
-void BoxTree::visit_rays(std::span<const Ray> rays, PacketVisitor& visitor) const {
+void BoxTree::visit_rays(std::span<const Ray> rays, RayVisitor& visitor) const {
   if (!scene_->scene) return;
   require(rays.size() <= kPacket, "a packet has at most {} rays, got {}", kPacket, rays.size());
   RayWalk walk;
-  walk.packet = &visitor;
-  start_coherent(walk.context);
+  walk.visitor = &visitor;
+  start(walk.context);
   alignas(64) std::array<int, kPacket> valid{};
   alignas(64) RTCRayHit16 query{};
   for (std::size_t k = 0; k < rays.size(); ++k) {
@@ -296,7 +270,7 @@ void BoxTree::visit_rays(std::span<const Ray> rays, PacketVisitor& visitor) cons
   intersect(scene_->scene, walk.context, valid.data(), query);
 }
 
-void BoxTree::visit_ball(const glm::dvec3& point, double radius, BoxVisitor& visitor) const {
+void BoxTree::visit_ball(const glm::dvec3& point, double radius, BallVisitor& visitor) const {
   if (!scene_->scene) return;
   const glm::dvec3 centre = point - scene_->middle;
   BallWalk walk{&visitor, scene_->margin + kSingleUlp * longest(glm::abs(centre))};

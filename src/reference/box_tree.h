@@ -13,19 +13,18 @@
 
 namespace plumb::reference {
 
-/// Told which primitives may be met.
-class BoxVisitor {
+/// Told which primitives a ball may meet.
+class BallVisitor {
  public:
-  virtual ~BoxVisitor() = default;
-  /// Returns the t (for a ball: the radius) beyond which nothing is wanted from now on. Must not
-  /// throw.
+  virtual ~BallVisitor() = default;
+  /// Returns the radius beyond which nothing is wanted from now on. Must not throw.
   virtual double visit(std::uint32_t primitive) = 0;
 };
 
 /// Told which primitives may be met by which ray of a packet.
-class PacketVisitor {
+class RayVisitor {
  public:
-  virtual ~PacketVisitor() = default;
+  virtual ~RayVisitor() = default;
   /// Returns the t beyond which nothing is wanted for that ray from now on. Must not throw.
   virtual double visit(std::uint32_t primitive, int ray) = 0;
 };
@@ -56,13 +55,12 @@ class BoxTree {
   BoxTree(BoxTree&&) noexcept;
   BoxTree& operator=(BoxTree&&) noexcept;
 
-  /// The ray is in the boxes' coordinates; finite, its direction not zero.
-  void visit_ray(const Ray& ray, BoxVisitor& visitor) const;
-  /// The same for up to kPacket rays that go much the same way, together.
-  void visit_rays(std::span<const Ray> rays, PacketVisitor& visitor) const;
+  /// Up to kPacket rays, best if they go much the same way. They are in the boxes' coordinates;
+  /// finite, their directions not zero.
+  void visit_rays(std::span<const Ray> rays, RayVisitor& visitor) const;
   static constexpr int kPacket = 16;
   /// radius >= 0, may be infinite; the point is finite.
-  void visit_ball(const glm::dvec3& point, double radius, BoxVisitor& visitor) const;
+  void visit_ball(const glm::dvec3& point, double radius, BallVisitor& visitor) const;
 
   /// Around all boxes; empty if there are none.
   const Box& bounds() const;

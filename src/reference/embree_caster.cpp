@@ -29,51 +29,11 @@ void require_castable(const Ray& ray) {
   require(ray.t_min >= 0.0, "t_min must be >= 0, got {}", ray.t_min);
 }
 
-// Decides about what the tree proposes for one ray.
+// Decides about what the tree proposes for one packet of rays after the other.
 template <class Triangles>
-class Settler final : public BoxVisitor {
+class Settler final : public RayVisitor {
  public:
-  Settler(const Triangles& triangles, const Ray& ray)
-      : triangles_(triangles), ray_(ray), frame_(ray) {}
-
-  double visit(std::uint32_t primitive) override {
-    const RayHit before = best_;
-    triangles_.meet(primitive, frame_, ray_.t_min, ray_.t_max, best_, scratch_);
-    ++proposals_;
-    if (best_ == before) ++refused_;
-    return std::min(best_.t, ray_.t_max);
-  }
-  const RayHit& best() const { return best_; }
-  void count(CastStatistics& statistics) const {
-    ++statistics.rays;
-    statistics.hits += best_ ? 1 : 0;
-    statistics.proposals += proposals_;
-    statistics.refused += refused_;
-  }
-
- private:
-  const Triangles& triangles_;
-  const Ray& ray_;
-  RayFrame frame_;
-  RayHit best_;
-  typename Triangles::Scratch scratch_;
-  std::int64_t proposals_ = 0, refused_ = 0;
-};
-
-template <class Triangles>
-RayHit settle(const Triangles& triangles, const BoxTree& tree, const Ray& ray,
-              CastStatistics& statistics) {
-  Settler<Triangles> settler(triangles, ray);
-  tree.visit_ray(ray, settler);
-  settler.count(statistics);
-  return settler.best();
-}
-
-// The same for a packet of rays after the other.
-template <class Triangles>
-class PacketSettler final : public PacketVisitor {
- public:
-  PacketSettler(const Triangles& triangles, CastStatistics& statistics)
+  Settler(const Triangles& triangles, CastStatistics& statistics)
       : triangles_(triangles), statistics_(statistics) {}
 
   void settle(const BoxTree& tree, std::span<const Ray> rays, std::span<RayHit> hits) {
@@ -146,13 +106,10 @@ struct EmbreeCaster::Scene {
   template <class With>
   void with_settler(CastStatistics& statistics, const With& with) const {
     if (blocks) {
-      with(PacketSettler<HeightBlocks>(*blocks, statistics));
+      with(Settler<HeightBlocks>(*blocks, statistics));
     } else {
-      with(PacketSettler<MeshTriangles>(*mesh, statistics));
+      with(Settler<MeshTriangles>(*mesh, statistics));
     }
-  }
-  RayHit cast(const Ray& ray, CastStatistics& statistics) const {
-    return blocks ? settle(*blocks, tree, ray, statistics) : settle(*mesh, tree, ray, statistics);
   }
 };
 
@@ -165,12 +122,7 @@ EmbreeCaster::~EmbreeCaster() = default;
 EmbreeCaster::EmbreeCaster(EmbreeCaster&&) noexcept = default;
 EmbreeCaster& EmbreeCaster::operator=(EmbreeCaster&&) noexcept = default;
 
-RayHit EmbreeCaster::cast(const Ray& ray) const {
-  require_castable(ray);
-  scene_->require_whole();
-  CastStatistics unused;
-  return scene_->cast(ray, unused);
-}
+RayHit EmbreeCaster::cast(const Ray& ray) const { return cast(std::span(&ray, 1)).front(); }
 
 std::vector<RayHit> EmbreeCaster::cast(std::span<const Ray> rays) const {
   for (const Ray& ray : rays) require_castable(ray);

@@ -15,9 +15,8 @@ namespace plumb::reference {
 
 using EmbreeRayContext = RTCRayQueryContext;
 
+/// For rays that go much the same way.
 inline void start(EmbreeRayContext& context) { rtcInitRayQueryContext(&context); }
-
-inline void start_coherent(EmbreeRayContext& context) { rtcInitRayQueryContext(&context); }
 
 inline void intersect(RTCScene scene, EmbreeRayContext& context, const int* valid,
                       RTCRayHit16& rays) {
@@ -39,9 +38,7 @@ inline void intersect(RTCScene scene, EmbreeRayContext& context, RTCRayHit& ray)
 
 using EmbreeRayContext = RTCIntersectContext;
 
-inline void start(EmbreeRayContext& context) { rtcInitIntersectContext(&context); }
-
-inline void start_coherent(EmbreeRayContext& context) {
+inline void start(EmbreeRayContext& context) {
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
 }

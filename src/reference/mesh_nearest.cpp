@@ -14,7 +14,7 @@
 namespace plumb::reference {
 namespace {
 
-class NearestVisitor final : public BoxVisitor {
+class NearestVisitor final : public BallVisitor {
  public:
   NearestVisitor(const MeshTriangles& triangles, const glm::dvec3& point, double max_radius)
       : triangles_(triangles), point_(point), radius_(max_radius) {}

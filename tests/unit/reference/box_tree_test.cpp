@@ -20,9 +20,10 @@ namespace {
 
 using test_support::Random;
 
-class Collector final : public BoxVisitor {
+class Collector final : public BallVisitor, public RayVisitor {
  public:
   explicit Collector(double limit) : limit_(limit) {}
+  double visit(std::uint32_t primitive, int /*ray*/) override { return visit(primitive); }
   double visit(std::uint32_t primitive) override {
     seen.insert(primitive);
     return limit_;
@@ -65,7 +66,7 @@ TEST(BoxTree, LosesNoPointThatARayIsAimedAt) {
     const glm::dvec3 apart = points[aimed_at].low - ray.origin_m;
     ray.direction = apart * random.uniform(1e-6, 2.0);
     Collector collector(kFar);
-    tree.visit_ray(ray, collector);
+    tree.visit_rays(std::span(&ray, 1), collector);
     ASSERT_EQ(collector.seen.count(aimed_at), 1u) << "ray " << k;
   }
 }
@@ -81,7 +82,7 @@ TEST(BoxTree, LosesNoPointOnAxisParallelRays) {
       ray.direction[axis] = k % 2 == 0 ? 1.0 : -3.0;
       ray.origin_m = points[k].low - 2e5 * ray.direction;
       Collector collector(kFar);
-      tree.visit_ray(ray, collector);
+      tree.visit_rays(std::span(&ray, 1), collector);
       ASSERT_EQ(collector.seen.count(k), 1u) << k << " along " << axis;
     }
   }
@@ -99,8 +100,8 @@ TEST(BoxTree, StopsBehindTheLimitThatTheVisitorGives) {
   ray.origin_m = {-10.0, 0.0, 0.0};
   ray.direction = {2.0, 0.0, 0.0};
   Collector all(kFar), first(5.05);
-  tree.visit_ray(ray, all);
-  tree.visit_ray(ray, first);
+  tree.visit_rays(std::span(&ray, 1), all);
+  tree.visit_rays(std::span(&ray, 1), first);
   EXPECT_EQ(all.seen.size(), 1000u);
   EXPECT_EQ(first.seen.count(0), 1u);
   EXPECT_LT(first.seen.size(), 64u);
@@ -119,7 +120,7 @@ TEST(BoxTree, VisitsWhatLiesExactlyAtTheLimit) {
     const double t = random.uniform(1e-4, 1e4);
     ray.direction = (boxes[100].low - ray.origin_m) / t;
     Collector collector(t);
-    tree.visit_ray(ray, collector);
+    tree.visit_rays(std::span(&ray, 1), collector);
     const glm::dvec3 apart = boxes[100].low - ray.origin_m;
     Collector at_distance(std::sqrt(glm::dot(apart, apart)));
     tree.visit_ball(ray.origin_m, 1e9, at_distance);
@@ -137,13 +138,13 @@ TEST(BoxTree, VisitsNothingOutsideTheRaysOwnRange) {
   ray.direction = {1.0, 0.0, 0.0};
   ray.t_max = 9.0;
   Collector before(kFar), behind(kFar), within(kFar);
-  tree.visit_ray(ray, before);
+  tree.visit_rays(std::span(&ray, 1), before);
   ray.t_min = 12.0;
   ray.t_max = 20.0;
-  tree.visit_ray(ray, behind);
+  tree.visit_rays(std::span(&ray, 1), behind);
   ray.t_min = 10.5;
   ray.t_max = 10.6;
-  tree.visit_ray(ray, within);
+  tree.visit_rays(std::span(&ray, 1), within);
   EXPECT_TRUE(before.seen.empty());
   EXPECT_TRUE(behind.seen.empty());
   EXPECT_EQ(within.seen.size(), 1u);
@@ -169,7 +170,8 @@ TEST(BoxTree, VisitsEveryBoxThatABallTouches) {
 TEST(BoxTree, OfNoBoxesVisitsNothing) {
   const BoxTree tree(0, [](std::uint32_t) { return Box{}; });
   Collector collector(kFar);
-  tree.visit_ray(Ray{}, collector);
+  const Ray ray;
+  tree.visit_rays(std::span(&ray, 1), collector);
   tree.visit_ball(glm::dvec3(0.0), 1.0, collector);
   EXPECT_TRUE(collector.seen.empty());
   EXPECT_TRUE(tree.bounds().empty());
