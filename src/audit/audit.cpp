@@ -6,81 +6,18 @@
 #include <utility>
 
 #include "audit/claim_check.h"
+#include "audit/nearest_error.h"
 #include "core/check.h"
 #include "core/parallel.h"
 #include "raster/rasteriser.h"
-#include "reference/heightfield_nearest.h"
-#include "reference/mesh_nearest.h"
 
 namespace plumb::audit {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-// |proj(q) - proj(p)| in pixels, both in the camera's coordinates; +inf if one is not before the
-// eye.
-double apart_on_screen(const Camera& camera, const glm::dvec3& p, const glm::dvec3& q) {
-  const glm::dvec3 a = to_view(camera, p), b = to_view(camera, q);
-  if (!(a.z > 0.0) || !(b.z > 0.0)) return kInfinity;
-  const glm::dvec2 d = view_to_pixel(camera, a) - view_to_pixel(camera, b);
-  return std::sqrt(glm::dot(d, d));
-}
-
-// From each drawn point to the nearest of the truth, which is no farther than the truth above or
-// below it.
-std::vector<float> forward_nearest(const HeightfieldTruth& truth, const HitImage& drawn,
-                                   const PixelErrors& vertical, const Camera& local) {
-  std::vector<float> errors(drawn.size(), kNothing);
-  parallel_for(static_cast<std::int64_t>(drawn.size()), 256, [&](std::int64_t k) {
-    const auto pixel = static_cast<std::size_t>(k);
-    if (!drawn.hit(pixel)) return;
-    const double radius = std::abs(vertical.vertical_m[pixel]);
-    errors[pixel] = 0.0f;
-    if (radius <= truth.slack_m) return;
-    const glm::dvec3 point = local.eye_m + drawn.from_eye_m[pixel];
-    // The map is kept in float32; the radius grows by its rounding.
-    const reference::NearestPoint nearest = reference::nearest_on_heightfield(
-        truth.field(), truth.diagonal(), truth.caster.pyramid(), point, radius * (1.0 + 1e-6));
-    errors[pixel] =
-        static_cast<float>(nearest ? apart_on_screen(local, point, nearest.point_m) : kInfinity);
-  });
-  return errors;
-}
-
-// And from each point of the truth to the nearest of the drawn mesh, which is only asked where they
-// differ.
-std::vector<float> reverse_nearest(const HeightfieldTruth& truth, const HitImage& true_hits,
-                                   const PixelErrors& vertical, const TriangleMesh& mesh,
-                                   const Camera& local) {
-  std::vector<float> errors(true_hits.size(), kNothing);
-  std::vector<std::size_t> asked;
-  for (std::size_t pixel = 0; pixel < true_hits.size(); ++pixel) {
-    if (!true_hits.hit(pixel)) continue;
-    errors[pixel] = 0.0f;
-    if (!(std::abs(vertical.vertical_m[pixel]) <= truth.slack_m)) asked.push_back(pixel);
-  }
-  if (asked.empty()) return errors;
-  if (mesh.triangles.empty()) {
-    for (const std::size_t pixel : asked) errors[pixel] = std::numeric_limits<float>::infinity();
-    return errors;
-  }
-  const reference::MeshNearest nearest(mesh);
-  const glm::dvec3 shift = mesh.origin_m - truth.field().world_origin_m();
-  parallel_for(static_cast<std::int64_t>(asked.size()), 256, [&](std::int64_t k) {
-    const std::size_t pixel = asked[static_cast<std::size_t>(k)];
-    const glm::dvec3 point = local.eye_m + true_hits.from_eye_m[pixel];
-    const double radius =
-        std::abs(static_cast<double>(vertical.vertical_m[pixel])) * (1.0 + 1e-6) + truth.slack_m;
-    const reference::NearestPoint found = nearest.nearest(point - shift, radius);
-    errors[pixel] = static_cast<float>(found ? apart_on_screen(local, point, found.point_m + shift)
-                                             : kInfinity);
-  });
-  return errors;
 }
 
 void require_consistent(const HitImage& true_hits, const DrawnSurface& surface,
@@ -123,13 +60,13 @@ AuditResult audit_picture(const HeightfieldTruth& truth, HitImage true_hits,
                           const AuditOptions& options) {
   require_consistent(true_hits, surface, drawn, camera);
   const auto start = std::chrono::steady_clock::now();
-  const Camera local = relative_to(camera, truth.field().world_origin_m());
   AuditResult result;
   result.cost = surface.cost;
   result.true_hits = std::move(true_hits);
   result.drawn = std::move(drawn);
   result.samples = sample_errors(truth, result.true_hits, surface, camera);
-  result.edges = edge_errors(truth, surface, camera);
+  const MeshEdges edges(*surface.mesh);
+  result.edges = edge_errors(truth, *surface.mesh, edges, camera);
   result.pixels = vertical_errors(truth, result.drawn, camera);
   result.reverse_pixels = reverse_vertical_errors(truth, result.true_hits, *surface.mesh, camera);
   result.vertical = distribution_of(result.pixels.vertical_px);
@@ -138,15 +75,15 @@ AuditResult audit_picture(const HeightfieldTruth& truth, HitImage true_hits,
   result.normal_deg =
       distribution_of(normal_errors_deg(truth, result.true_hits, *surface.mesh, result.drawn));
   if (options.nearest) {
-    result.nearest.forward_px = forward_nearest(truth, result.drawn, result.pixels, local);
+    result.nearest.forward_px = forward_nearest_errors(truth, result.drawn, result.pixels, camera);
     result.nearest.forward = distribution_of(result.nearest.forward_px);
-    result.nearest.reverse = distribution_of(
-        reverse_nearest(truth, result.true_hits, result.reverse_pixels, *surface.mesh, local));
+    result.nearest.reverse = distribution_of(reverse_nearest_errors(
+        truth, result.true_hits, result.reverse_pixels, *surface.mesh, camera));
   }
   result.coverage =
       coverage_of(truth, result.true_hits, result.drawn, camera, surface, options.band);
   result.registration = registration_of(*surface.mesh, result.drawn, camera);
-  result.topology = topology_of(truth, surface, options.most_listed);
+  result.topology = topology_of(truth, surface, edges, options.most_listed);
   result.topology.overlapped_samples = result.samples.overlapped;
   check_claims(result, truth, surface, camera, options);
   result.times.measure_s = seconds_since(start);

@@ -81,7 +81,8 @@ struct AuditResult {
   HitImage true_hits, drawn;
   SampleErrors samples;
   EdgeErrors edges;
-  PixelErrors pixels, reverse_pixels;
+  PixelErrors pixels;
+  ReversePixelErrors reverse_pixels;
   Distribution vertical, reverse_vertical, depth, normal_deg;
   NearestErrors nearest;
   Coverage coverage;

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
+#include "audit/offenders.h"
 #include "core/check.h"
+#include "core/parallel.h"
 
 namespace plumb::audit {
 namespace {
@@ -13,7 +16,7 @@ namespace {
 constexpr double kProjectionSlack = 64.0 * std::numeric_limits<double>::epsilon();
 
 // Values were rounded to float32; none that was at most `bound` counts.
-std::int64_t count_above(const std::vector<float>& values, double bound) {
+std::int64_t count_above(std::span<const float> values, double bound) {
   auto limit = static_cast<float>(bound);
   if (limit < bound) limit = std::nextafter(limit, std::numeric_limits<float>::infinity());
   return std::count_if(values.begin(), values.end(), [&](float value) { return value > limit; });
@@ -23,12 +26,22 @@ class Checker {
  public:
   Checker(AuditResult& result, const HeightfieldTruth& truth, const DrawnSurface& surface,
           const Camera& camera, const AuditOptions& options)
-      : result_(result), truth_(truth), surface_(surface), camera_(camera), options_(options) {
+      : result_(result),
+        truth_(truth),
+        surface_(surface),
+        options_(options),
+        finder_(result, truth, surface, camera) {
     // A drawn point is a sum of the eye and a ray, rounded at their length a few times over.
-    double reach = 0.0;
-    for (const glm::dvec3& ray : result.drawn.from_eye_m) {
-      reach = std::max({reach, std::abs(ray.x), std::abs(ray.y), std::abs(ray.z)});
-    }
+    const double reach = parallel_ordered_reduce(
+        static_cast<std::int64_t>(result.drawn.size()), 1 << 16, 0.0,
+        [&](std::int64_t begin, std::int64_t end, double most) {
+          for (std::int64_t k = begin; k < end; ++k) {
+            const glm::dvec3& ray = result.drawn.from_eye_m[static_cast<std::size_t>(k)];
+            most = std::max({most, std::abs(ray.x), std::abs(ray.y), std::abs(ray.z)});
+          }
+          return most;
+        },
+        [](double a, double b) { return std::max(a, b); });
     eye_slack_m_ = 8.0 * std::numeric_limits<double>::epsilon() * reach;
   }
 
@@ -45,7 +58,7 @@ class Checker {
         judge({Measure::Coverage, 0.0, Unit::Count}, name_of(Measure::Coverage)));
     for (const Limit& limit : options_.limits) result_.claims.push_back(judge_limit(limit));
     keep_telling(of_patches);
-    list_offenders();
+    result_.offenders = finder_.worst(static_cast<std::size_t>(std::max(1, options_.most_listed)));
   }
 
  private:
@@ -83,14 +96,18 @@ class Checker {
     if (unit == Unit::Metre) {
       r.measured = s.worst_m.error;
       r.slack = truth_.slack_m;
-      r.violations = count_above(s.values_m, bound + r.slack);
-      r.triangles_over = count_above(s.triangle_max_m, bound + r.slack);
-      r.worst = at_sample(r.label, s.worst_m, unit);
+      r.triangles_over = 0;
+      if (r.measured > bound + r.slack) {
+        r.violations = count_above(s.values_m.span(), bound + r.slack);
+        r.triangles_over = count_above(s.triangle_max_m, bound + r.slack);
+      }
+      r.worst = finder_.at_sample(r.label, s.worst_m, unit);
     } else {
       r.measured = s.worst_px.error;
       r.slack = slack_px(s.pixels_per_metre, r.measured);
-      r.violations = count_above(s.values_px, bound + r.slack);
-      r.worst = at_sample(r.label, s.worst_px, unit);
+      if (r.measured > bound + r.slack)
+        r.violations = count_above(s.values_px.span(), bound + r.slack);
+      r.worst = finder_.at_sample(r.label, s.worst_px, unit);
     }
   }
 
@@ -103,8 +120,8 @@ class Checker {
     if (unit == Unit::Pixel) r.slack = std::max(r.slack, slack_px(e.pixels_per_metre, between));
     if (between <= r.measured) return;
     r.measured = between;
-    r.worst = at_place(r.label, between, unit, unit == Unit::Metre ? e.worst_m : e.worst_px,
-                       unit == Unit::Metre ? e.triangle_m : e.triangle_px);
+    r.worst = finder_.at_place(r.label, between, unit, unit == Unit::Metre ? e.worst_m : e.worst_px,
+                               unit == Unit::Metre ? e.triangle_m : e.triangle_px);
   }
 
   void pixel_error(ClaimResult& r, double bound, Unit unit) const {
@@ -123,13 +140,15 @@ class Checker {
       r.violations = count_above(p.vertical_px, bound + r.slack);
     }
     if (p.worst_pixel >= 0)
-      r.worst = at_pixel(r.label, r.measured, unit, static_cast<std::size_t>(p.worst_pixel));
+      r.worst =
+          finder_.at_pixel(r.label, r.measured, unit, static_cast<std::size_t>(p.worst_pixel));
   }
 
   void coverage(ClaimResult& r) const {
     r.measured = static_cast<double>(result_.coverage.defect_count());
     r.violations = result_.coverage.defect_count();
-    if (!result_.coverage.listed.empty()) r.worst = at_defect(result_.coverage.listed.front());
+    if (!result_.coverage.listed.empty())
+      r.worst = finder_.at_defect(result_.coverage.listed.front());
   }
 
   void check_patch(const Claim& claim, std::vector<ClaimResult>& kept) {
@@ -195,107 +214,11 @@ class Checker {
            t.folded_triangles;
   }
 
-  Offender named(std::string what, double value, Unit unit, const glm::dvec3& local_m,
-                 std::uint32_t triangle) const {
-    Offender o{std::move(what), value, unit};
-    o.world_m = truth_.field().world_origin_m() + local_m;
-    if (triangle != kNoPrimitive) set_patch(o, patch_of(surface_, triangle));
-    const glm::dvec3 view = to_view(camera_, o.world_m);
-    if (view.z > 0.0) {
-      const glm::dvec2 pixel = view_to_pixel(camera_, view);
-      const bool inside = pixel.x >= 0.0 && pixel.x < camera_.width_px && pixel.y >= 0.0 &&
-                          pixel.y < camera_.height_px;
-      if (inside) {
-        o.x = static_cast<int>(pixel.x);
-        o.y = static_cast<int>(pixel.y);
-      }
-    }
-    return o;
-  }
-
-  void set_patch(Offender& o, int patch) const {
-    if (patch < 0 || patch >= static_cast<int>(surface_.patches.size())) return;
-    o.patch = patch;
-    o.patch_name = surface_.patches[static_cast<std::size_t>(patch)].name;
-  }
-
-  std::optional<Offender> at_sample(const std::string& what, const WorstSample& worst,
-                                    Unit unit) const {
-    if (worst.i < 0) return std::nullopt;
-    const terrain::Heightfield& field = truth_.field();
-    Offender o =
-        named(what, worst.error, unit,
-              {worst.i * field.dx_m, worst.j * field.dy_m, field.heights_m(worst.i, worst.j)},
-              worst.triangle);
-    o.sample_i = worst.i;
-    o.sample_j = worst.j;
-    return o;
-  }
-
-  Offender at_place(const std::string& what, double value, Unit unit, const glm::dvec3& local_m,
-                    std::uint32_t triangle) const {
-    return named(what, value, unit, local_m, triangle);
-  }
-
-  Offender at_pixel(const std::string& what, double value, Unit unit, std::size_t pixel) const {
-    const HitImage& drawn = result_.drawn;
-    const glm::dvec3 local =
-        camera_.eye_m - truth_.field().world_origin_m() + drawn.from_eye_m[pixel];
-    Offender o = named(what, value, unit, local, drawn.primitive[pixel]);
-    o.x = static_cast<int>(pixel % static_cast<std::size_t>(drawn.width_px));
-    o.y = static_cast<int>(pixel / static_cast<std::size_t>(drawn.width_px));
-    return o;
-  }
-
-  Offender at_defect(const CoverageDefect& defect) const {
-    Offender o{name_of(defect.kind), 1.0, Unit::Count, defect.x, defect.y};
-    const std::size_t pixel = result_.drawn.index(defect.x, defect.y);
-    const glm::dvec3 ray = defect.kind == DefectKind::Overshoot
-                               ? result_.drawn.from_eye_m[pixel]
-                               : result_.true_hits.from_eye_m[pixel];
-    o.world_m = camera_.eye_m + ray;
-    set_patch(o, defect.patch_a);
-    if (defect.patch_b >= 0 && defect.patch_b < static_cast<int>(surface_.patches.size())) {
-      o.patch_name += " | " + surface_.patches[static_cast<std::size_t>(defect.patch_b)].name;
-    }
-    return o;
-  }
-
-  void list_offenders() {
-    const auto most = static_cast<std::size_t>(std::max(1, options_.most_listed));
-    for (const CoverageDefect& defect : result_.coverage.listed) {
-      if (result_.offenders.size() >= most) break;
-      result_.offenders.push_back(at_defect(defect));
-    }
-    if (const auto o = at_sample("sample-error", result_.samples.worst_px, Unit::Pixel))
-      result_.offenders.push_back(*o);
-    if (const auto o = at_sample("sample-error", result_.samples.worst_m, Unit::Metre))
-      result_.offenders.push_back(*o);
-    std::vector<std::pair<float, std::size_t>> pixels;
-    const auto& errors = result_.pixels.vertical_px;
-    for (std::size_t pixel = 0; pixel < errors.size(); ++pixel) {
-      if (errors[pixel] > 0.0f) pixels.emplace_back(errors[pixel], pixel);
-    }
-    const std::size_t count = std::min(pixels.size(), most);
-    std::partial_sort(pixels.begin(), pixels.begin() + static_cast<std::ptrdiff_t>(count),
-                      pixels.end(), [](const auto& a, const auto& b) {
-                        return a.first != b.first ? a.first > b.first : a.second < b.second;
-                      });
-    for (std::size_t k = 0; k < count; ++k) {
-      result_.offenders.push_back(
-          at_pixel("pixel-error", pixels[k].first, Unit::Pixel, pixels[k].second));
-    }
-    for (const TopologyFlaw& flaw : result_.topology.listed) {
-      Offender o = named(flaw.kind, 1.0, Unit::Count, flaw.at_m, flaw.triangle);
-      result_.offenders.push_back(std::move(o));
-    }
-  }
-
   AuditResult& result_;
   const HeightfieldTruth& truth_;
   const DrawnSurface& surface_;
-  const Camera& camera_;
   const AuditOptions& options_;
+  OffenderFinder finder_;
   double eye_slack_m_ = 0.0;
 };
 

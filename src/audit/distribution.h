@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <span>
 
 namespace plumb::audit {
 
@@ -20,6 +20,6 @@ struct Distribution {
 /// `values` >= 0 or +inf; NaN entries are no values and skipped. Percentiles of float32 values are
 /// exact; max and rms of doubles that were rounded to float32 on the way are those of the rounded
 /// ones, so callers keep their exact maximum. The same bits on any number of threads.
-Distribution distribution_of(const std::vector<float>& values);
+Distribution distribution_of(std::span<const float> values);
 
 }  // namespace plumb::audit

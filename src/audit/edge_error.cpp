@@ -1,7 +1,7 @@
 // The deviation between the samples: where drawn edges cross true ones.
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "audit/sample_error.h"
@@ -14,30 +14,32 @@ namespace {
 constexpr glm::dvec3 kUp{0.0, 0.0, 1.0};
 constexpr double kOnLine = 1e-9;  // cells
 
-bool on_sample(double u, double v) {
-  return std::abs(u - std::round(u)) < kOnLine && std::abs(v - std::round(v)) < kOnLine;
+// Whole but for less than kOnLine; without a call for the rounding, which loops over edges feel.
+bool is_whole(double u) {
+  const double part = std::abs(u) - static_cast<double>(static_cast<std::int64_t>(std::abs(u)));
+  return part < kOnLine || part > 1.0 - kOnLine;
 }
+
+bool on_sample(double u, double v) { return is_whole(u) && is_whole(v); }
 
 class EdgeWalk {
  public:
-  EdgeWalk(const HeightfieldTruth& truth, const Camera& local) : truth_(truth), camera_(local) {}
+  EdgeWalk(const HeightfieldTruth& truth, const Camera& local)
+      : truth_(truth), camera_(local), up_(direction_to_view(local, kUp)) {}
 
+  // The inside of the edge from p to q.
   void edge(const glm::dvec3& p, const glm::dvec3& q, std::uint32_t triangle, EdgeErrors& errors) {
     const terrain::Heightfield& field = truth_.field();
     const double pu = p.x / field.dx_m, pv = p.y / field.dy_m, du = q.x / field.dx_m - pu,
                  dv = q.y / field.dy_m - pv;
-    const bool from_sample = on_sample(pu, pv), to_sample = on_sample(pu + du, pv + dv);
-    if (!from_sample) look(p, triangle, errors);
-    if (from_sample && to_sample && std::abs(du) < 1.5 && std::abs(dv) < 1.5) {
+    if (std::abs(du) < 1.5 && std::abs(dv) < 1.5 && on_sample(pu, pv) &&
+        on_sample(pu + du, pv + dv)) {
       // From sample to neighbouring sample: only a cell's other diagonal can cross it, in the
       // middle.
       if (std::abs(du) > 0.5 && std::abs(dv) > 0.5) look(0.5 * (p + q), triangle, errors);
       return;
     }
-    shares_.assign({0.0, 1.0});
-    add_lines(pu, du);
-    add_lines(pv, dv);
-    std::sort(shares_.begin(), shares_.end());
+    find_shares(pu, du, pv, dv);
     const std::size_t count = shares_.size();
     for (std::size_t k = 0; k + 1 < count; ++k) {
       const double from = shares_[k], to = shares_[k + 1];
@@ -59,15 +61,33 @@ class EdgeWalk {
     }
   }
 
+  // A vertex, unless it is a sample, which is measured as such.
+  void vertex(const glm::dvec3& p, std::uint32_t triangle, EdgeErrors& errors) const {
+    const terrain::Heightfield& field = truth_.field();
+    if (!on_sample(p.x / field.dx_m, p.y / field.dy_m)) look(p, triangle, errors);
+  }
+
  private:
-  void add_lines(double from, double step) {
+  // The shares of the way at which the edge crosses the grid's lines, from 0 to 1.
+  void find_shares(double pu, double du, double pv, double dv) {
+    add_lines(pu, du, along_u_);
+    add_lines(pv, dv, along_v_);
+    shares_.assign(along_u_.size() + along_v_.size() + 2, 0.0);
+    std::merge(along_u_.begin(), along_u_.end(), along_v_.begin(), along_v_.end(),
+               shares_.begin() + 1);
+    shares_.back() = 1.0;
+  }
+
+  static void add_lines(double from, double step, std::vector<double>& shares) {
+    shares.clear();
     if (std::abs(step) < kOnLine) return;
     const double low = std::min(from, from + step), high = std::max(from, from + step);
     for (double line = std::floor(low) + 1.0; line < high; line += 1.0)
-      shares_.push_back((line - from) / step);
+      shares.push_back((line - from) / step);
+    if (step < 0.0) std::reverse(shares.begin(), shares.end());
   }
 
-  void look(const glm::dvec3& drawn, std::uint32_t triangle, EdgeErrors& errors) {
+  void look(const glm::dvec3& drawn, std::uint32_t triangle, EdgeErrors& errors) const {
     const double height = truth_.height_at(drawn.x, drawn.y);
     if (std::isnan(height)) return;
     ++errors.places;
@@ -78,8 +98,10 @@ class EdgeWalk {
       errors.worst_m = point;
       errors.triangle_m = triangle;
     }
-    if (metres == 0.0 || !in_frustum(camera_, point)) return;
-    const double pixels = screen_displacement_px(camera_, point, kUp, delta);
+    const glm::dvec3 view = to_view(camera_, point);
+    if (metres == 0.0 || is_surely_less(view, delta, errors.max_px) || !in_frustum(camera_, point))
+      return;
+    const double pixels = screen_displacement_of_view_px(camera_, view, up_, delta);
     if (pixels > errors.max_px) {
       errors.max_px = pixels;
       errors.pixels_per_metre = pixels / metres;
@@ -88,9 +110,20 @@ class EdgeWalk {
     }
   }
 
+  // True only if the displacement on screen is below `most_px`: squared, without root or quotient.
+  bool is_surely_less(const glm::dvec3& view, double delta, double most_px) const {
+    constexpr double kRoundings = 1e-9;
+    const double moved = view.z + delta * up_.z;
+    if (!(view.z > 0.0) || !(moved > 0.0)) return false;
+    const glm::dvec2 n = screen_velocity(camera_, view, up_);
+    const double limit = most_px * view.z * moved;
+    return delta * delta * glm::dot(n, n) < limit * limit * (1.0 - kRoundings);
+  }
+
   const HeightfieldTruth& truth_;
   const Camera& camera_;
-  std::vector<double> shares_;  // of the way from p to q
+  glm::dvec3 up_;                                   // in view coordinates
+  std::vector<double> along_u_, along_v_, shares_;  // of the way from p to q
 };
 
 EdgeErrors worse(EdgeErrors a, const EdgeErrors& b) {
@@ -111,21 +144,28 @@ EdgeErrors worse(EdgeErrors a, const EdgeErrors& b) {
 
 }  // namespace
 
-EdgeErrors edge_errors(const HeightfieldTruth& truth, const DrawnSurface& surface,
-                       const Camera& camera) {
+EdgeErrors edge_errors(const HeightfieldTruth& truth, const TriangleMesh& mesh,
+                       const MeshEdges& edges, const Camera& camera) {
   const Camera local = relative_to(camera, truth.field().world_origin_m());
-  const TriangleMesh& mesh = *surface.mesh;
   const glm::dvec3 shift = mesh.origin_m - truth.field().world_origin_m();
   return parallel_ordered_reduce(
-      static_cast<std::int64_t>(mesh.triangles.size()), 4096, EdgeErrors{},
+      edges.vertices(), 4096, EdgeErrors{},
       [&](std::int64_t begin, std::int64_t end, EdgeErrors errors) {
         EdgeWalk walk(truth, local);
-        for (std::int64_t t = begin; t < end; ++t) {
-          const Triangle& corners = mesh.triangles[static_cast<std::size_t>(t)];
-          std::array<glm::dvec3, 3> p;
-          for (std::size_t k = 0; k < 3; ++k) p[k] = mesh.vertices_m[corners[k]] + shift;
-          for (std::size_t k = 0; k < 3; ++k)
-            walk.edge(p[k], p[(k + 1) % 3], static_cast<std::uint32_t>(t), errors);
+        for (auto low = static_cast<std::uint32_t>(begin); low < end; ++low) {
+          const auto sides = edges.from(low);
+          if (sides.empty()) continue;
+          const glm::dvec3 p = mesh.vertices_m[low] + shift;
+          walk.vertex(p, sides.front().triangle, errors);
+          std::uint32_t last = low;
+          for (const HalfEdge& side : sides) {
+            if (side.high == last) continue;  // the same edge, of another triangle
+            last = side.high;
+            const glm::dvec3 q = mesh.vertices_m[last] + shift;
+            walk.edge(p, q, side.triangle, errors);
+            // A vertex that is the lesser of no edge has no turn of its own.
+            if (edges.from(last).empty()) walk.vertex(q, side.triangle, errors);
+          }
         }
         return errors;
       },

@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
+
+#include "core/triangle_mesh.h"
 
 namespace plumb::audit {
 
@@ -54,5 +57,13 @@ struct FlatTriangle {
     return (p.x - x) * (q.y - y) - (p.y - y) * (q.x - x);
   }
 };
+
+/// A triangle of a mesh, moved by `shift`.
+inline FlatTriangle flat_triangle(const TriangleMesh& mesh, std::uint32_t index,
+                                  const glm::dvec3& shift) {
+  const Triangle& t = mesh.triangles[index];
+  return {mesh.vertices_m[t[0]] + shift, mesh.vertices_m[t[1]] + shift,
+          mesh.vertices_m[t[2]] + shift};
+}
 
 }  // namespace plumb::audit

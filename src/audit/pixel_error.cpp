@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "core/parallel.h"
 #include "core/reproducible_math.h"
@@ -58,11 +59,64 @@ PixelErrors measure_pixels(std::size_t size, const Shown& shown, const Measure& 
   return errors;
 }
 
+// What a vertical displacement of a point does on the screen.
+class VerticalOnScreen {
+ public:
+  explicit VerticalOnScreen(const Camera& local)
+      : camera_(local), up_(direction_to_view(local, kUp)) {}
+
+  // In pixels; and how far a small one goes for each metre, at `depth_m` of the point.
+  double operator()(const glm::dvec3& point_m, double delta_m, double depth_m,
+                    double& pixels_per_metre) const {
+    const glm::dvec3 view = to_view(camera_, point_m);
+    const double speed = screen_speed(camera_, view, up_), small = 1e-6 * depth_m;
+    pixels_per_metre = screen_displacement_at_speed_px(speed, view.z, up_.z, small) / small;
+    return screen_displacement_at_speed_px(speed, view.z, up_.z, delta_m);
+  }
+
+ private:
+  const Camera& camera_;
+  glm::dvec3 up_;  // in view coordinates
+};
+
+// The points that a picture shows, in the order of their pixels.
+struct Places {
+  std::vector<glm::dvec3> at_m;
+  std::vector<std::uint32_t> of_pixel;  // set where the pixel shows something
+};
+
+Places places_of(const HitImage& image, const glm::dvec3& eye_m) {
+  const auto width = static_cast<std::size_t>(image.width_px);
+  std::vector<std::uint32_t> start(static_cast<std::size_t>(image.height_px) + 1, 0);
+  const auto for_row = [&](std::int64_t row, const auto& visit) {
+    const std::size_t begin = static_cast<std::size_t>(row) * width;
+    for (std::size_t pixel = begin; pixel < begin + width; ++pixel) {
+      if (image.hit(pixel)) visit(pixel);
+    }
+  };
+  parallel_for(image.height_px, 16, [&](std::int64_t row) {
+    std::uint32_t count = 0;
+    for_row(row, [&](std::size_t) { ++count; });
+    start[static_cast<std::size_t>(row) + 1] = count;
+  });
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  Places places{std::vector<glm::dvec3>(start.back()), std::vector<std::uint32_t>(image.size())};
+  parallel_for(image.height_px, 16, [&](std::int64_t row) {
+    std::uint32_t next = start[static_cast<std::size_t>(row)];
+    for_row(row, [&](std::size_t pixel) {
+      places.at_m[next] = eye_m + image.from_eye_m[pixel];
+      places.of_pixel[pixel] = next++;
+    });
+  });
+  return places;
+}
+
 }  // namespace
 
 PixelErrors vertical_errors(const HeightfieldTruth& truth, const HitImage& drawn,
                             const Camera& camera) {
   const Camera local = relative_to(camera, truth.field().world_origin_m());
+  const VerticalOnScreen on_screen(local);
   return measure_pixels(
       drawn.size(), [&](std::size_t pixel) { return drawn.hit(pixel); },
       [&](std::size_t pixel, double& vertical_m, double& pixels_per_metre) {
@@ -70,34 +124,34 @@ PixelErrors vertical_errors(const HeightfieldTruth& truth, const HitImage& drawn
         const double height = truth.height_at(point.x, point.y);
         vertical_m = std::isnan(height) ? kInfinity : point.z - height;
         if (std::isnan(height)) return kInfinity;
-        const double small = 1e-6 * drawn.depth_m[pixel];
-        pixels_per_metre = screen_displacement_px(local, point, kUp, small) / small;
-        return screen_displacement_px(local, point, kUp, height - point.z);
+        return on_screen(point, height - point.z, drawn.depth_m[pixel], pixels_per_metre);
       });
 }
 
-PixelErrors reverse_vertical_errors(const HeightfieldTruth& truth, const HitImage& true_hits,
-                                    const TriangleMesh& mesh, const Camera& camera) {
+ReversePixelErrors reverse_vertical_errors(const HeightfieldTruth& truth, const HitImage& true_hits,
+                                           const TriangleMesh& mesh, const Camera& camera) {
   const Camera local = relative_to(camera, truth.field().world_origin_m());
-  std::vector<glm::dvec3> places;
-  std::vector<std::uint32_t> place_of(true_hits.size(), kNoPrimitive);
-  for (std::size_t pixel = 0; pixel < true_hits.size(); ++pixel) {
-    if (!true_hits.hit(pixel)) continue;
-    place_of[pixel] = static_cast<std::uint32_t>(places.size());
-    places.push_back(local.eye_m + true_hits.from_eye_m[pixel]);
-  }
-  const std::vector<Deviation> found = deviation_at(truth.field(), mesh, places);
-  return measure_pixels(
-      true_hits.size(), [&](std::size_t pixel) { return true_hits.hit(pixel); },
+  const VerticalOnScreen on_screen(local);
+  const Places places = places_of(true_hits, local.eye_m);
+  const std::vector<Deviation> found = deviation_at(truth.field(), mesh, places.at_m);
+  ReversePixelErrors errors;
+  errors.triangle.resize(true_hits.size());
+  static_cast<PixelErrors&>(errors) = measure_pixels(
+      true_hits.size(),
+      [&](std::size_t pixel) {
+        errors.triangle[pixel] = kNoPrimitive;
+        return true_hits.hit(pixel);
+      },
       [&](std::size_t pixel, double& vertical_m, double& pixels_per_metre) {
-        const Deviation& there = found[place_of[pixel]];
+        const std::uint32_t place = places.of_pixel[pixel];
+        const Deviation& there = found[place];
+        errors.triangle[pixel] = there.triangle;
         vertical_m = there.covered() ? there.delta_m : kInfinity;
         if (!there.covered()) return kInfinity;
-        const glm::dvec3& point = places[place_of[pixel]];
-        const double small = 1e-6 * true_hits.depth_m[pixel];
-        pixels_per_metre = screen_displacement_px(local, point, kUp, small) / small;
-        return screen_displacement_px(local, point, kUp, there.delta_m);
+        return on_screen(places.at_m[place], there.delta_m, true_hits.depth_m[pixel],
+                         pixels_per_metre);
       });
+  return errors;
 }
 
 std::vector<float> depth_errors(const HitImage& true_hits, const HitImage& drawn) {

@@ -22,14 +22,20 @@ struct PixelErrors {
       0.0;  // largest displacement on screen of one vertical metre, of all points drawn
 };
 
+/// With the drawn triangle that lies above or below the truth of each pixel; kNoPrimitive if none
+/// does.
+struct ReversePixelErrors : PixelErrors {
+  std::vector<std::uint32_t> triangle;
+};
+
 /// `drawn` is in world coordinates through `camera`.
 PixelErrors vertical_errors(const HeightfieldTruth& truth, const HitImage& drawn,
                             const Camera& camera);
 
 /// The other way round: from the truth's hit to the drawn surface above or below it. +inf where
 /// nothing is drawn there.
-PixelErrors reverse_vertical_errors(const HeightfieldTruth& truth, const HitImage& true_hits,
-                                    const TriangleMesh& mesh, const Camera& camera);
+ReversePixelErrors reverse_vertical_errors(const HeightfieldTruth& truth, const HitImage& true_hits,
+                                           const TriangleMesh& mesh, const Camera& camera);
 
 /// Relative difference of view depths, |drawn - true| / true, where both see something; NaN
 /// elsewhere.

@@ -18,9 +18,10 @@ struct Bands {
 
 RowBins::RowBins(const TriangleMesh& mesh, double shift_y_m, double band_m, int bands,
                  double slack_m) {
+  // Truncation is the floor of what is not negative; `slack_m` covers the rounding of the product.
+  const double bands_per_m = 1.0 / band_m;
   const auto band_of = [&](double y) {
-    return static_cast<int>(
-        std::clamp(std::floor((y + shift_y_m) / band_m), 0.0, static_cast<double>(bands - 1)));
+    return static_cast<int>(std::clamp((y + shift_y_m) * bands_per_m, 0.0, bands - 1.0));
   };
   const auto bands_of = [&](std::uint32_t triangle) {
     const Triangle& t = mesh.triangles[triangle];

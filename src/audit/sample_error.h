@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "audit/distribution.h"
+#include "audit/mesh_edges.h"
 #include "audit/truth.h"
 #include "core/camera.h"
 #include "core/drawn_surface.h"
@@ -21,12 +24,27 @@ struct WorstSample {
   int patch = -1;
 };
 
+/// A float for each sample that its rows' tasks fill: nobody writes it before them.
+class SampleMap {
+ public:
+  SampleMap() = default;
+  explicit SampleMap(std::size_t size)
+      : values_(std::make_unique_for_overwrite<float[]>(size)), size_(size) {}
+
+  std::span<float> span() { return {values_.get(), size_}; }
+  std::span<const float> span() const { return {values_.get(), size_}; }
+
+ private:
+  std::unique_ptr<float[]> values_;
+  std::size_t size_ = 0;
+};
+
 struct SampleErrors {
-  std::vector<float>
-      values_m;  // of all samples that exist and have something drawn over them, from the south
-  std::vector<float> values_px;  // of those in the frustum
-  Distribution metres, pixels;   // of these
-  Distribution visible_pixels;   // of those that the truth shows, or hides by less than a pixel
+  SampleMap
+      values_m;  // a sample each, row by row from the south; NaN: void, or nothing drawn there
+  SampleMap values_px;          // NaN also outside the frustum
+  Distribution metres, pixels;  // of these
+  Distribution visible_pixels;  // of those that the truth shows, or hides by less than a pixel
   WorstSample worst_m, worst_px;
   std::vector<float>
       triangle_max_m;  // a triangle each, over the samples that it covers, edges included
@@ -52,10 +70,10 @@ struct EdgeErrors {
   double pixels_per_metre = 0.0;           // on screen, where that is
   glm::dvec3 worst_m{0.0}, worst_px{0.0};  // places on the truth, relative to the terrain's origin
   std::uint32_t triangle_m = kNoPrimitive, triangle_px = kNoPrimitive;
-  std::int64_t places = 0;  // looked at
+  std::int64_t places = 0;  // looked at, each once
 };
-EdgeErrors edge_errors(const HeightfieldTruth& truth, const DrawnSurface& surface,
-                       const Camera& camera);
+EdgeErrors edge_errors(const HeightfieldTruth& truth, const TriangleMesh& mesh,
+                       const MeshEdges& edges, const Camera& camera);
 
 /// True if the point (in the camera's coordinates) is between near and far and inside the image.
 bool in_frustum(const Camera& camera, const glm::dvec3& point_m);

@@ -3,11 +3,13 @@
 
 #include <glm/vec2.hpp>
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
 
+#include "audit/flat_triangle.h"
 #include "core/triangle_mesh.h"
 #include "terrain/heightfield.h"
 
@@ -22,6 +24,31 @@ struct Deviation {
       0;  // triangles that hold the place in their inside; above 1 the mesh overlaps itself
 
   bool covered() const { return triangle != kNoPrimitive; }
+  /// One more triangle that covers the place, `delta` above the truth.
+  void add(double delta, std::uint32_t index, Cover cover) {
+    sheets += cover == Cover::Inside;
+    if (covered() && !(std::abs(delta) > std::abs(delta_m))) return;
+    delta_m = delta;
+    triangle = index;
+  }
+};
+
+/// Cells by which a search for triangles over a place reaches beyond their boxes.
+inline constexpr double kNearLine = 1e-6;
+
+/// What lies over one row of samples; columns of them.
+class DeviationRow {
+ public:
+  DeviationRow(const double* delta_m, const double* triangle, const double* sheets)
+      : delta_m_(delta_m), triangle_(triangle), sheets_(sheets) {}
+  Deviation operator[](int i) const {
+    return {delta_m_[i],
+            triangle_[i] < 0.0 ? kNoPrimitive : static_cast<std::uint32_t>(triangle_[i]),
+            static_cast<std::uint32_t>(sheets_[i])};
+  }
+
+ private:
+  const double *delta_m_, *triangle_, *sheets_;
 };
 
 /// One row of samples at a time, in no particular order and from several threads: visit(j,
@@ -33,10 +60,10 @@ struct Deviation {
 /// covers, edges included
 void for_each_sample_row(const terrain::Heightfield& field, const TriangleMesh& mesh,
                          std::vector<float>* triangle_max_m,
-                         const std::function<void(int, std::span<const Deviation>)>& visit);
+                         const std::function<void(int, const DeviationRow&)>& visit);
 
 /// The same at any places of the terrain's plane (x, y, height of the truth there), relative to the
-/// terrain's origin.
+/// terrain's origin. At most 2^32 - 1 places.
 std::vector<Deviation> deviation_at(const terrain::Heightfield& field, const TriangleMesh& mesh,
                                     const std::vector<glm::dvec3>& places_m);
 

@@ -25,12 +25,13 @@ struct OpenEdge {
 
 class Examination {
  public:
-  Examination(const HeightfieldTruth& truth, const DrawnSurface& surface, int most_listed)
+  Examination(const HeightfieldTruth& truth, const DrawnSurface& surface, const MeshEdges& edges,
+              int most_listed)
       : truth_(truth),
         surface_(surface),
         mesh_(*surface.mesh),
         shift_(mesh_.origin_m - truth.field().world_origin_m()),
-        edges_(mesh_),
+        edges_(edges),
         most_listed_(most_listed) {}
 
   Topology run() {
@@ -279,7 +280,7 @@ class Examination {
   const DrawnSurface& surface_;
   const TriangleMesh& mesh_;
   glm::dvec3 shift_;
-  MeshEdges edges_;
+  const MeshEdges& edges_;
   int most_listed_;
   Topology result_;
   std::map<std::string, int> listed_;
@@ -288,8 +289,9 @@ class Examination {
 
 }  // namespace
 
-Topology topology_of(const HeightfieldTruth& truth, const DrawnSurface& surface, int most_listed) {
-  return Examination(truth, surface, most_listed).run();
+Topology topology_of(const HeightfieldTruth& truth, const DrawnSurface& surface,
+                     const MeshEdges& edges, int most_listed) {
+  return Examination(truth, surface, edges, most_listed).run();
 }
 
 }  // namespace plumb::audit

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "audit/mesh_edges.h"
 #include "audit/truth.h"
 #include "core/drawn_surface.h"
 
@@ -46,6 +47,6 @@ struct Topology {
 /// vertices at one place are two vertices: a mesh that does not share them is open along its seams,
 /// which is what a crack needs.
 Topology topology_of(const HeightfieldTruth& truth, const DrawnSurface& surface,
-                     int most_listed = 20);
+                     const MeshEdges& edges, int most_listed);
 
 }  // namespace plumb::audit

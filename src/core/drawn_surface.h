@@ -46,4 +46,13 @@ inline int patch_of(const DrawnSurface& surface, std::uint32_t triangle) {
   return low;
 }
 
+/// The same for a triangle that is likely to lie in patch `guess`.
+inline int patch_of(const DrawnSurface& surface, std::uint32_t triangle, int guess) {
+  const auto at = static_cast<std::size_t>(guess);
+  const bool holds =
+      guess >= 0 && at < surface.patches.size() && surface.patches[at].first_triangle <= triangle &&
+      (at + 1 == surface.patches.size() || triangle < surface.patches[at + 1].first_triangle);
+  return holds ? guess : patch_of(surface, triangle);
+}
+
 }  // namespace plumb

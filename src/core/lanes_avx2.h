@@ -16,6 +16,7 @@ struct Avx2Lanes {
 
   static Real all(double x) { return _mm256_set1_pd(x); }
   static Real load(const double* from) { return _mm256_loadu_pd(from); }
+  static Real load(const float* from) { return _mm256_cvtps_pd(_mm_loadu_ps(from)); }
   static void store(double* to, Real x) { _mm256_storeu_pd(to, x); }
   static void store_whole(std::int32_t* to, Real x) {
     _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm256_cvttpd_epi32(x));

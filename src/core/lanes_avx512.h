@@ -16,6 +16,7 @@ struct Avx512Lanes {
 
   static Real all(double x) { return _mm512_set1_pd(x); }
   static Real load(const double* from) { return _mm512_loadu_pd(from); }
+  static Real load(const float* from) { return _mm512_cvtps_pd(_mm256_loadu_ps(from)); }
   static void store(double* to, Real x) { _mm512_storeu_pd(to, x); }
   static void store_whole(std::int32_t* to, Real x) {
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm512_cvttpd_epi32(x));

@@ -18,6 +18,9 @@ struct Sse2Lanes {
 
   static Real all(double x) { return _mm_set1_pd(x); }
   static Real load(const double* from) { return _mm_loadu_pd(from); }
+  static Real load(const float* from) {
+    return _mm_cvtps_pd(_mm_castsi128_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(from))));
+  }
   static void store(double* to, Real x) { _mm_storeu_pd(to, x); }
   /// Whole numbers of 32 bits to `to`.
   static void store_whole(std::int32_t* to, Real x) {

@@ -16,13 +16,6 @@ constexpr double kRoundDown = 1.0 - 1e-12;
 // Widens the frustum by more than the roundings of a plane test, relative to the lengths in it.
 constexpr double kFrustumSlack = 1e-9;
 
-// (u, v) of N = |(u, v)|: how fast a point at view coordinates `p` moves, before the division by w
-// * w'.
-glm::dvec2 velocity(const Camera& camera, const glm::dvec3& axis, const glm::dvec3& p) {
-  return {camera.gamma_h * (p.z * axis.x - axis.z * p.x),
-          camera.gamma_v * (p.z * axis.y - axis.z * p.y)};
-}
-
 using Cubic = std::array<double, 4>;
 
 double evaluate(const Cubic& c, double t) { return ((c[3] * t + c[2]) * t + c[1]) * t + c[0]; }
@@ -63,7 +56,7 @@ void for_each_root(const Cubic& c, const Visit& visit) {
 // Largest N / (w * (w - shift)) on the segment from p to q, view coordinates, both with w > shift.
 double largest_on_edge(const Camera& camera, const glm::dvec3& axis, const glm::dvec3& p,
                        const glm::dvec3& q, double shift) {
-  const glm::dvec2 n_p = velocity(camera, axis, p), n_q = velocity(camera, axis, q);
+  const glm::dvec2 n_p = screen_velocity(camera, p, axis), n_q = screen_velocity(camera, q, axis);
   const glm::dvec2 n_d = n_q - n_p;
   const double n0 = glm::dot(n_p, n_p), n1 = glm::dot(n_p, n_d), n2 = glm::dot(n_d, n_d);
   const double w0 = p.z, w1 = q.z - p.z, m0 = w0 - shift;
@@ -94,11 +87,6 @@ std::array<glm::dvec2, 4> image_corners(const Camera& camera) {
 glm::dvec3 direction_to_view(const Camera& camera, const glm::dvec3& direction) {
   return {glm::dot(direction, camera.right), glm::dot(direction, camera.up),
           glm::dot(direction, camera.forward)};
-}
-
-double screen_speed(const Camera& camera, const glm::dvec3& view_m, const glm::dvec3& axis_view) {
-  const glm::dvec2 n = velocity(camera, axis_view, view_m);
-  return std::sqrt(glm::dot(n, n));
 }
 
 double screen_displacement_of_view_px(const Camera& camera, const glm::dvec3& view_m,
@@ -155,12 +143,12 @@ double allowed_displacement_m(const Camera& camera, const Box& box, const glm::d
   for (int k = 0; k < 8; ++k) {
     const glm::dvec3 p = to_view(camera, box.corner(k));
     w_corners = std::min(w_corners, p.z);
-    const glm::dvec2 n = velocity(camera, e, p);
+    const glm::dvec2 n = screen_velocity(camera, p, e);
     n_corners = p.z > 0.0 ? std::max(n_corners, std::sqrt(glm::dot(n, n)) / p.z) : kInfinity;
   }
   double n_image = 0.0, tan_squared = 0.0;
   for (const glm::dvec2& corner : image_corners(camera)) {
-    const glm::dvec2 n = velocity(camera, e, {corner, 1.0});
+    const glm::dvec2 n = screen_velocity(camera, {corner, 1.0}, e);
     n_image = std::max(n_image, std::sqrt(glm::dot(n, n)));
     tan_squared = std::max(tan_squared, glm::dot(corner, corner));
   }

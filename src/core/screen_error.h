@@ -3,6 +3,8 @@
 // Derived in docs/algorithms/ground-truth.md, "How far an error reaches on the screen".
 #pragma once
 
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <cmath>
@@ -27,9 +29,20 @@ double screen_displacement_px(const Camera& camera, const glm::dvec3& world_m,
 double screen_displacement_of_view_px(const Camera& camera, const glm::dvec3& view_m,
                                       const glm::dvec3& axis_view, double delta_m);
 
+/// (u, v) of the formula, the two parts of N(p) on the screen, px m.
+inline glm::dvec2 screen_velocity(const Camera& camera, const glm::dvec3& view_m,
+                                  const glm::dvec3& axis_view) {
+  return {camera.gamma_h * (view_m.z * axis_view.x - axis_view.z * view_m.x),
+          camera.gamma_v * (view_m.z * axis_view.y - axis_view.z * view_m.y)};
+}
+
 /// N(p) of the formula: how fast a point at view coordinates moves along an axis, times its depth
 /// squared, px m. For loops that ask for several displacements of a point.
-double screen_speed(const Camera& camera, const glm::dvec3& view_m, const glm::dvec3& axis_view);
+inline double screen_speed(const Camera& camera, const glm::dvec3& view_m,
+                           const glm::dvec3& axis_view) {
+  const glm::dvec2 n = screen_velocity(camera, view_m, axis_view);
+  return std::sqrt(glm::dot(n, n));
+}
 /// screen_displacement_of_view_px of a point with that speed at depth `w`; `axis_w` is the axis's
 /// own depth component.
 inline double screen_displacement_at_speed_px(double speed, double w, double axis_w,

@@ -3,6 +3,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <span>
@@ -30,10 +31,12 @@ class MeshNearest {
   MeshNearest(MeshNearest&&) noexcept;
   MeshNearest& operator=(MeshNearest&&) noexcept;
 
-  /// Points farther than max_radius_m are not looked for. Throws std::invalid_argument unless the
-  /// point is finite and max_radius_m >= 0.
+  /// Points farther than max_radius_m are not looked for. `near_triangle`, if given, is looked at
+  /// first: one that is near makes the search short, and none changes what it finds. Throws
+  /// std::invalid_argument unless the point is finite and max_radius_m >= 0.
   NearestPoint nearest(const glm::dvec3& point_m,
-                       double max_radius_m = std::numeric_limits<double>::infinity()) const;
+                       double max_radius_m = std::numeric_limits<double>::infinity(),
+                       std::uint32_t near_triangle = kNoPrimitive) const;
   /// The same for many points, in parallel.
   std::vector<NearestPoint> nearest(
       std::span<const glm::dvec3> points_m,

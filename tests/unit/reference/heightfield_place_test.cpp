@@ -127,6 +127,31 @@ TEST(NearestOnHeightfield, IsThatOfTryingDenselyEverywhere) {
   }
 }
 
+// A small ball looks at cells, a large one goes down the pyramid.
+TEST(NearestOnHeightfield, IsTheSameInABallOfAnySize) {
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    const terrain::Heightfield field =
+        test_support::rough_terrain(40, 33, seed, 9.0, 0.05, 10.0, 7.0);
+    const HeightPyramid pyramid(field);
+    for (int k = 0; k < 200; ++k) {
+      const glm::dvec3 point{test_support::noise(seed, k, 1) * 400 - 5,
+                             test_support::noise(seed, k, 2) * 240 - 5,
+                             test_support::noise(seed, k, 3) * 15 - 3};
+      const NearestPoint anywhere =
+          nearest_on_heightfield(field, Diagonal::Alternating, pyramid, point, 1e6);
+      ASSERT_TRUE(anywhere);
+      for (const double factor : {1.0, 1.01, 1.5, 3.0, 9.0}) {
+        const NearestPoint near = nearest_on_heightfield(field, Diagonal::Alternating, pyramid,
+                                                         point, factor * anywhere.distance_m);
+        ASSERT_TRUE(near);
+        EXPECT_EQ(near.point_m, anywhere.point_m) << "seed " << seed << ", factor " << factor;
+      }
+      EXPECT_FALSE(nearest_on_heightfield(field, Diagonal::Alternating, pyramid, point,
+                                          0.99 * anywhere.distance_m - 2e-9));
+    }
+  }
+}
+
 TEST(NearestOnHeightfield, LooksNoFartherThanAsked) {
   const terrain::Heightfield field = cell(0, 0, 0, 0);
   const HeightPyramid pyramid(field);

@@ -82,6 +82,10 @@ TEST(MeshNearest, AgreesToTheBitWithTryingAllTriangles) {
                              size.y * random.uniform(-reach, reach),
                              size.z * random.uniform(-reach, reach)};
       ASSERT_EQ(nearest.nearest(point), by_trying_all(mesh, point)) << "scene " << scene;
+      // Wherever the search begins.
+      const auto count = static_cast<int>(mesh.triangles.size());
+      const auto first = static_cast<std::uint32_t>(random.integer(0, count));
+      ASSERT_EQ(nearest.nearest(point, 1e9, first), by_trying_all(mesh, point)) << first;
     }
   }
 }
