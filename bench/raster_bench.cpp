@@ -12,20 +12,26 @@
 namespace plumb::bench {
 namespace {
 
-const TriangleMesh& full_mesh() {
-  static const auto mesh = [] {
+const DrawnSurface& full_surface() {
+  static const auto surface = [] {
     const auto prepared = mesh::full::prepare(bench_terrain());
-    return mesh::full::draw(prepared, Camera{}, Tolerance{}).mesh;
+    return mesh::full::draw(prepared, Camera{}, Tolerance{});
   }();
-  return *mesh;
+  return surface;
 }
 
-void our_frame(benchmark::State& state, const char* preset, InstructionSet set) {
+const TriangleMesh& full_mesh() { return *full_surface().mesh; }
+
+// Every triangle looked at, or those alone whose runs may be in view.
+enum class Culling { None, Runs };
+
+void our_frame(benchmark::State& state, const char* preset, InstructionSet set, Culling culling) {
   const Camera camera = bench_camera(preset);
   const ForcedInstructionSet forced(set);
   std::int64_t fragments = 0;
-  full_mesh();
-  measure(state, [&] { fragments = raster::rasterise(full_mesh(), camera).fragments; });
+  const raster::RasterOptions options{.runs = culling == Culling::Runs ? full_surface().runs.get()
+                                                                       : nullptr};
+  measure(state, [&] { fragments = raster::rasterise(full_mesh(), camera, options).fragments; });
   set_rate(state, "Mtriangles/s", static_cast<double>(full_mesh().triangles.size()));
   state.counters["fragments"] = static_cast<double>(fragments);
 }
@@ -66,7 +72,9 @@ int main(int argc, char** argv) {
   for (const char* preset : kPresets) {
     const std::string view = std::string("/") + preset;
     for (const auto set : plumb::available_instruction_sets())
-      add(std::string("raster/") + name_of(set) + view, our_frame, preset, set);
+      add(std::string("raster/") + name_of(set) + view, our_frame, preset, set, Culling::None);
+    add("raster/culled" + view, our_frame, preset, plumb::available_instruction_sets().back(),
+        Culling::Runs);
 #ifdef PLUMB_WITH_GL
     add("llvmpipe" + view, mesa_frame, preset);
 #endif

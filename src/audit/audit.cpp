@@ -97,7 +97,8 @@ AuditResult audit_surface(const HeightfieldTruth& truth, const DrawnSurface& sur
   HitImage true_hits = truth.caster.cast_frame(camera);
   const double truth_s = seconds_since(start);
   start = std::chrono::steady_clock::now();
-  raster::RasterResult raster = raster::rasterise(*surface.mesh, camera);
+  raster::RasterResult raster =
+      raster::rasterise(*surface.mesh, camera, {.runs = surface.runs.get()});
   const double raster_s = seconds_since(start);
   AuditResult result =
       audit_picture(truth, std::move(true_hits), surface, std::move(raster.image), camera, options);

@@ -46,76 +46,99 @@ PictureMaker maker_of(const Scene& scene, terrain::Diagonal diagonal,
   return maker;
 }
 
-void draw_truth(DrawnScene& drawn, terrain::Diagonal diagonal, Clock& clock) {
-  const reference::PyramidCaster caster(drawn.field, diagonal);
-  drawn.times.prepare_s = clock.lap_s();
-  drawn.hits = caster.cast_frame(drawn.camera);
-  drawn.times.draw_s = clock.lap_s();
+const Method* method_of(const Scene& scene, const MethodTable& table) {
+  if (!scene.method.empty()) return &find_method(table, scene.method);
+  if (scene.painter != audit::Painter::Truth) input_error("a scene needs a method, or the truth");
+  return nullptr;
 }
 
-void draw_method(DrawnScene& drawn, const Method& method, Clock& clock) {
-  const Scene& scene = drawn.scene;
-  const std::unique_ptr<PreparedMethod> prepared =
-      prepare_method(method, drawn.field, scene.choice, scene.tolerance);
-  drawn.times.prepare_s = clock.lap_s();
-  drawn.surface = prepared->draw(drawn.camera, scene.tolerance);
-  raster::RasterResult raster = raster::rasterise(*drawn.surface.mesh, drawn.camera);
-  drawn.hits = std::move(raster.image);
-  drawn.surface.cost.fragments = raster.fragments;
-  drawn.times.draw_s = clock.lap_s();
+terrain::Diagonal diagonal_of(const Scene& scene, const Method* method) {
+  if (!scene.diagonal.empty()) return terrain::parse_diagonal(scene.diagonal);
+  return method != nullptr ? method->truth : terrain::Diagonal::Alternating;
 }
 
 }  // namespace
 
-DrawnScene draw_scene(const Scene& scene, const MethodTable& table,
-                      const std::string& program_version, const StepListener& on_step) {
-  if (!scene.method.empty()) find_method(table, scene.method);  // before the terrain is read
-  Clock clock;
-  if (on_step) on_step("reading the terrain");
-  terrain::Heightfield field = terrain::load_terrain(scene.terrain, scene.read);
-  const double read_s = clock.lap_s();
-  DrawnScene drawn = draw_scene_on(std::move(field), scene, table, program_version, on_step);
-  drawn.times.read_s = read_s;
-  return drawn;
+// One of the two.
+struct SceneDrawer::Painter {
+  std::unique_ptr<const PreparedMethod> method;
+  std::unique_ptr<const reference::PyramidCaster> caster;
+};
+
+SceneDrawer::SceneDrawer(terrain::Heightfield field, Scene scene, const MethodTable& table,
+                         std::string program_version)
+    : field_(std::make_shared<const terrain::Heightfield>(std::move(field))),
+      scene_(std::move(scene)),
+      method_(method_of(scene_, table)),
+      diagonal_(diagonal_of(scene_, method_)),
+      program_version_(std::move(program_version)) {
+  scene_.terrain = field_->provenance.source;
+  scene_.diagonal = name_of(diagonal_);
+  if (scene_.painter == audit::Painter::Method && scene_.choice.variant.empty())
+    scene_.choice.variant = method_->variants.front();
 }
 
-DrawnScene draw_scene_on(terrain::Heightfield field, const Scene& scene, const MethodTable& table,
-                         const std::string& program_version, const StepListener& on_step) {
+SceneDrawer::~SceneDrawer() = default;
+
+void SceneDrawer::prepare() {
+  Clock clock;
+  auto painter = std::make_unique<Painter>();
+  if (scene_.painter == audit::Painter::Truth) {
+    painter->caster = std::make_unique<const reference::PyramidCaster>(*field_, diagonal_);
+  } else {
+    painter->method = prepare_method(*method_, *field_, scene_.choice, scene_.tolerance);
+  }
+  painter_ = std::move(painter);
+  prepare_s_ = clock.lap_s();
+}
+
+DrawnScene SceneDrawer::draw(const CameraDescription& camera, const StepListener& on_step) {
   const auto step = [&](const std::string& what) {
     if (on_step) on_step(what);
   };
-  const bool by_rays = scene.painter == Painter::Truth;
-  const Method* method = scene.method.empty() ? nullptr : &find_method(table, scene.method);
-  if (method == nullptr && !by_rays) input_error("a scene needs a method, or the truth");
+  const bool by_rays = scene_.painter == audit::Painter::Truth;
   DrawnScene drawn;
-  drawn.scene = scene;
-  drawn.field = std::move(field);
-  drawn.scene.terrain = drawn.field.provenance.source;
-  Clock clock;
+  drawn.scene = scene_;
+  drawn.field = field_;
   step("placing the camera");
-  const PlacedCamera placed = place_camera(scene.camera, drawn.field);
+  const PlacedCamera placed = place_camera(camera, *field_);
   drawn.camera = placed.camera;
   drawn.scene.camera = placed.description;
   const int width_px = drawn.camera.width_px, height_px = drawn.camera.height_px;
   require_memory(kBytesPerPixel * width_px * height_px,
                  fmt::format("a picture of {} x {} pixels", width_px, height_px));
-  terrain::Diagonal diagonal = method != nullptr ? method->truth : terrain::Diagonal::Alternating;
-  if (!scene.diagonal.empty()) diagonal = terrain::parse_diagonal(scene.diagonal);
-  drawn.scene.diagonal = name_of(diagonal);
+  step(by_rays ? "casting rays" : "drawing the surface");
+  if (!painter_) prepare();
+  Clock clock;
   if (by_rays) {
-    step("casting rays");
-    draw_truth(drawn, diagonal, clock);
+    drawn.hits = painter_->caster->cast_frame(drawn.camera);
   } else {
-    if (scene.choice.variant.empty()) drawn.scene.choice.variant = method->variants.front();
-    step("drawing the surface");
-    draw_method(drawn, *method, clock);
+    drawn.surface = painter_->method->draw(drawn.camera, scene_.tolerance);
+    raster::RasterResult raster =
+        raster::rasterise(*drawn.surface.mesh, drawn.camera, {.runs = drawn.surface.runs.get()});
+    drawn.hits = std::move(raster.image);
+    drawn.surface.cost.fragments = raster.fragments;
   }
+  drawn.times.prepare_s = prepare_s_;
+  drawn.times.draw_s = clock.lap_s();
   step("making the picture");
-  const PictureMaker maker = maker_of(drawn.scene, diagonal, program_version);
-  drawn.picture = by_rays
-                      ? draw_truth_picture(drawn.field, drawn.hits, drawn.camera, maker)
-                      : draw_picture(drawn.field, drawn.hits, drawn.surface, drawn.camera, maker);
+  const PictureMaker maker = maker_of(drawn.scene, diagonal_, program_version_);
+  drawn.picture = by_rays ? draw_truth_picture(*field_, drawn.hits, drawn.camera, maker)
+                          : draw_picture(*field_, drawn.hits, drawn.surface, drawn.camera, maker);
   drawn.times.picture_s = clock.lap_s();
+  return drawn;
+}
+
+DrawnScene draw_scene(const Scene& scene, const MethodTable& table,
+                      const std::string& program_version, const StepListener& on_step) {
+  method_of(scene, table);  // before the terrain is read
+  Clock clock;
+  if (on_step) on_step("reading the terrain");
+  terrain::Heightfield field = terrain::load_terrain(scene.terrain, scene.read);
+  const double read_s = clock.lap_s();
+  SceneDrawer drawer(std::move(field), scene, table, program_version);
+  DrawnScene drawn = drawer.draw(scene.camera, on_step);
+  drawn.times.read_s = read_s;
   return drawn;
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/claim.h"
 #include "core/cost.h"
+#include "core/mesh_runs.h"
 #include "core/triangle_mesh.h"
 
 namespace plumb {
@@ -27,6 +28,8 @@ struct Patch {
 /// list is one patch. Every drawn surface claims coverage zero; the method need not say so.
 struct DrawnSurface {
   std::shared_ptr<const TriangleMesh> mesh;
+  /// Of `mesh`, where one mesh serves many cameras; null where each has its own.
+  std::shared_ptr<const MeshRuns> runs;
   std::vector<std::uint8_t>
       triangle_lod;  // level of each triangle, 0 the finest; empty if there are no levels
   std::vector<Patch> patches;

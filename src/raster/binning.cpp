@@ -69,19 +69,22 @@ void Binner::find_candidates(std::uint32_t first, std::uint32_t last, Block& blo
   block.pieces.clear();
   if (first == last) return;
   block.kept.resize(kBlock + kMostTogether);
-  const std::uint32_t count = filter_triangles_(filter_, geometry_.mesh->triangles[first].data(),
-                                                last - first, block.kept.data());
-  for (std::uint32_t k = 0; k < count; ++k) {
-    const std::uint32_t triangle = first + block.kept[k];
-    const Triangle& corners = geometry_.mesh->triangles[triangle];
-    const ScreenVertex& a = geometry_.vertices[corners[0]];
-    const ScreenVertex& b = geometry_.vertices[corners[1]];
-    const ScreenVertex& c = geometry_.vertices[corners[2]];
-    if (a.x != kClipped && b.x != kClipped && c.x != kClipped) {
-      add({a, b, c}, {triangle, -1}, block);
-    } else {
-      clip(triangle, block);
-    }
+  geometry_.for_each_stretch(first, last, [&](std::uint32_t begin, std::uint32_t end) {
+    const std::uint32_t count = filter_triangles_(filter_, geometry_.mesh->triangles[begin].data(),
+                                                  end - begin, block.kept.data());
+    for (std::uint32_t k = 0; k < count; ++k) find_candidate(begin + block.kept[k], block);
+  });
+}
+
+void Binner::find_candidate(std::uint32_t triangle, Block& block) const {
+  const Triangle& corners = geometry_.mesh->triangles[triangle];
+  const ScreenVertex& a = geometry_.vertices[corners[0]];
+  const ScreenVertex& b = geometry_.vertices[corners[1]];
+  const ScreenVertex& c = geometry_.vertices[corners[2]];
+  if (a.x != kClipped && b.x != kClipped && c.x != kClipped) {
+    add({a, b, c}, {triangle, -1}, block);
+  } else {
+    clip(triangle, block);
   }
 }
 

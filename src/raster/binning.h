@@ -1,11 +1,13 @@
 // Which triangles meet which tile of the window, in the order of the mesh.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "core/mesh_runs.h"
 #include "core/triangle_mesh.h"
 #include "raster/clip.h"
 #include "raster/fixed_point.h"
@@ -29,7 +31,22 @@ Tiling make_tiling(int width_px, int height_px, int tile_px);
 struct Geometry {
   const TriangleMesh* mesh = nullptr;
   Projection projection;
-  std::vector<ScreenVertex> vertices;
+  ScreenVertices vertices;            // those of runs in view
+  std::vector<std::uint8_t> in_view;  // a run of the mesh each (MeshRuns); empty: all are
+
+  /// Calls visit(first, last) for each stretch of triangles [first, last) that may be in view.
+  template <class Visit>
+  void for_each_stretch(std::uint32_t first, std::uint32_t last, const Visit& visit) const {
+    if (in_view.empty()) return visit(first, last);
+    constexpr std::uint32_t kRun = MeshRuns::kTriangles;
+    for (std::uint32_t begin = first; begin < last;) {
+      std::uint32_t end = std::min(last, (begin / kRun + 1) * kRun);
+      const bool seen = in_view[begin / kRun] != 0;
+      while (end < last && (in_view[end / kRun] != 0) == seen) end = std::min(last, end + kRun);
+      if (seen) visit(begin, end);
+      begin = end;
+    }
+  }
 };
 
 /// A triangle, whole or a piece of it.
@@ -74,6 +91,7 @@ class Binner {
   };
 
   void find_candidates(std::uint32_t first, std::uint32_t last, Block& block) const;
+  void find_candidate(std::uint32_t triangle, Block& block) const;
   void clip(std::uint32_t triangle, Block& block) const;
   void add(const std::array<ScreenVertex, 3>& corners, BinEntry entry, Block& block) const;
   std::array<ScreenVertex, 3> corners_of(const Candidate& candidate, const Block& block) const;

@@ -43,9 +43,8 @@ inline std::int32_t snap(double window_px) {
 
 /// A corner in the window: subpixels, y downwards, and one over its view depth.
 struct ScreenVertex {
-  std::int32_t x = 0;
-  std::int32_t y = 0;
-  double inverse_depth = 0.0;  // 1/m
+  std::int32_t x, y;
+  double inverse_depth;  // 1/m
 };
 
 /// Pixels [x0, x1] x [y0, y1]; empty if x0 > x1 or y0 > y1.

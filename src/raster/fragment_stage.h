@@ -7,6 +7,7 @@
 
 #include "core/camera.h"
 #include "core/hit_image.h"
+#include "core/mesh_runs.h"
 #include "core/parallel.h"
 #include "core/triangle_mesh.h"
 #include "raster/binning.h"
@@ -18,6 +19,9 @@ struct RasterOptions {
   Facing facing = Facing::Both;
   int tile_px = 64;         // side of a tile, 1..4096; no pixel depends on it
   int chunk_triangles = 0;  // sorted into tiles at a time, >= 0; 0 chooses; no pixel depends on it
+  /// Of the mesh: runs that are out of view are then left out; no pixel depends on it. Null: all
+  /// triangles are looked at.
+  const MeshRuns* runs = nullptr;
 };
 
 struct RasterResult {
@@ -25,7 +29,7 @@ struct RasterResult {
   std::int64_t fragments = 0;  // that passed near, far and the fragment stage
 };
 
-/// Checks the arguments, transforms the vertices.
+/// Checks the arguments, transforms the vertices that may be needed.
 Geometry make_geometry(const TriangleMesh& mesh, const Camera& camera,
                        const RasterOptions& options);
 std::uint32_t chunk_size(const Tiling& tiling, const RasterOptions& options);

@@ -40,11 +40,17 @@ Geometry make_geometry(const TriangleMesh& mesh, const Camera& camera,
           options.chunk_triangles);
   require(mesh.triangles.size() < std::numeric_limits<std::uint32_t>::max(),
           "a mesh may have at most 2^32 - 2 triangles, got {}", mesh.triangles.size());
-  require(indices_in_range(mesh), "a triangle names a vertex that the mesh does not have");
+  require(options.runs == nullptr || (options.runs->triangles() == mesh.triangles.size() &&
+                                      options.runs->vertices() == mesh.vertices_m.size()),
+          "runs must be those of the mesh");
+  require(options.runs != nullptr || indices_in_range(mesh),
+          "a triangle names a vertex that the mesh does not have");
   Geometry geometry;
   geometry.mesh = &mesh;
   geometry.projection = make_projection(camera, mesh.origin_m);
-  geometry.vertices = transform(geometry.projection, mesh.vertices_m);
+  if (options.runs != nullptr) geometry.in_view = options.runs->in_view(camera);
+  geometry.vertices =
+      transform(geometry.projection, mesh.vertices_m, options.runs, geometry.in_view);
   return geometry;
 }
 

@@ -1,6 +1,8 @@
 #include "raster/vertex_stage.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/check.h"
 #include "core/parallel.h"
@@ -98,23 +100,55 @@ WindowTransform window_transform(const Projection& projection) {
   return to;
 }
 
+// Which chunks of vertices the runs in view use.
+std::vector<std::uint8_t> chunks_in_view(const MeshRuns& runs,
+                                         std::span<const std::uint8_t> in_view) {
+  std::vector<std::uint8_t> used((runs.vertices() + MeshRuns::kVertices - 1) / MeshRuns::kVertices);
+  for (std::size_t run = 0; run < runs.count(); ++run) {
+    if (in_view[run] == 0) continue;
+    for (const std::uint32_t chunk : runs.vertex_chunks(run)) used[chunk] = 1;
+  }
+  return used;
+}
+
 }  // namespace
 
-std::vector<ScreenVertex> transform(const Projection& projection,
-                                    std::span<const glm::dvec3> vertices_m) {
+ScreenVertices transform(const Projection& projection, std::span<const glm::dvec3> vertices_m,
+                         const MeshRuns* runs, std::span<const std::uint8_t> in_view) {
   static_assert(sizeof(glm::dvec3) == 3 * sizeof(double));
-  std::vector<ScreenVertex> result(vertices_m.size());
+  ScreenVertices result(vertices_m.size());
   const WindowTransform to = window_transform(projection);
   const TransformVertices kernel = transform_vertices(instruction_set());
-  const bool all_usable = parallel_ordered_reduce(
-      static_cast<std::int64_t>(vertices_m.size()), kGrain, true,
-      [&](std::int64_t begin, std::int64_t end, bool usable) {
-        return kernel(to, &vertices_m[static_cast<std::size_t>(begin)].x, end - begin,
-                      &result[static_cast<std::size_t>(begin)]) &&
-               usable;
-      },
-      [](bool a, bool b) { return a && b; });
-  require(all_usable, "a mesh's vertices must be finite and within 1e30 m of the eye");
+  const auto some = [&](std::size_t begin, std::size_t end) {
+    return kernel(to, &vertices_m[begin].x, static_cast<std::int64_t>(end - begin),
+                  result.data() + begin);
+  };
+  const auto both = [](bool a, bool b) { return a && b; };
+  bool usable = true;
+  if (runs == nullptr) {
+    usable = parallel_ordered_reduce(
+        static_cast<std::int64_t>(vertices_m.size()), kGrain, true,
+        [&](std::int64_t begin, std::int64_t end, bool before) {
+          return some(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)) && before;
+        },
+        both);
+  } else {
+    const std::vector<std::uint8_t> used = chunks_in_view(*runs, in_view);
+    constexpr std::size_t kChunk = MeshRuns::kVertices;
+    usable = parallel_ordered_reduce(
+        static_cast<std::int64_t>(used.size()), kGrain / static_cast<std::int64_t>(kChunk), true,
+        [&](std::int64_t begin, std::int64_t end, bool before) {
+          for (auto chunk = static_cast<std::size_t>(begin); chunk < static_cast<std::size_t>(end);
+               ++chunk) {
+            if (used[chunk] == 0) continue;
+            before =
+                some(chunk * kChunk, std::min((chunk + 1) * kChunk, vertices_m.size())) && before;
+          }
+          return before;
+        },
+        both);
+  }
+  require(usable, "a mesh's vertices must be finite and within 1e30 m of the eye");
   return result;
 }
 

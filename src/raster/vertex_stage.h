@@ -3,11 +3,12 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstddef>
+#include <memory>
 #include <span>
-#include <vector>
 
 #include "core/camera.h"
-#include "core/triangle_mesh.h"
+#include "core/mesh_runs.h"
 #include "raster/fixed_point.h"
 
 namespace plumb::raster {
@@ -42,9 +43,30 @@ inline unsigned outcode_of(const ScreenVertex& vertex) {
   return vertex.x == kClipped ? static_cast<unsigned>(vertex.y) : 0u;
 }
 
-/// Every vertex in the window, in parallel. Throws std::invalid_argument if one is not finite or
-/// farther than 1e30 m.
-std::vector<ScreenVertex> transform(const Projection& projection,
-                                    std::span<const glm::dvec3> vertices_m);
+/// Vertices in the window, by their number in the mesh. Nobody writes one before its task.
+class ScreenVertices {
+ public:
+  ScreenVertices() = default;
+  explicit ScreenVertices(std::size_t size)
+      : vertices_(std::make_unique_for_overwrite<ScreenVertex[]>(size)), size_(size) {}
+
+  std::size_t size() const { return size_; }
+  ScreenVertex* data() { return vertices_.get(); }
+  const ScreenVertex* data() const { return vertices_.get(); }
+  const ScreenVertex* begin() const { return data(); }
+  const ScreenVertex* end() const { return data() + size_; }
+  const ScreenVertex& operator[](std::size_t k) const { return vertices_[k]; }
+
+ private:
+  std::unique_ptr<ScreenVertex[]> vertices_;
+  std::size_t size_ = 0;
+};
+
+/// Every vertex in the window, in parallel; with `runs`, those chunks that a run with a nonzero
+/// entry in `in_view` uses, and the others stay unwritten. Throws std::invalid_argument if one of
+/// them is not finite or farther than 1e30 m.
+ScreenVertices transform(const Projection& projection, std::span<const glm::dvec3> vertices_m,
+                         const MeshRuns* runs = nullptr,
+                         std::span<const std::uint8_t> in_view = {});
 
 }  // namespace plumb::raster

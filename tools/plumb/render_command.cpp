@@ -139,10 +139,10 @@ std::string render_json(const audit::DrawnScene& drawn, const std::vector<std::s
   const Cost& cost = drawn.surface.cost;
   nlohmann::ordered_json json{{"schema", "plumb.render/1"}, {"command", invocation.command_line()}};
   json["terrain"] = {{"source", scene.terrain},
-                     {"checksum", fmt::format("{:016x}", terrain::checksum(drawn.field))},
-                     {"columns", drawn.field.columns()},
-                     {"rows", drawn.field.rows()},
-                     {"assumptions", drawn.field.provenance.assumptions}};
+                     {"checksum", fmt::format("{:016x}", terrain::checksum(*drawn.field))},
+                     {"columns", drawn.field->columns()},
+                     {"rows", drawn.field->rows()},
+                     {"assumptions", drawn.field->provenance.assumptions}};
   json["what"] = scene.painter == audit::Painter::Truth ? "truth" : "method";
   if (scene.painter == audit::Painter::Method) {
     json["method"] = {{"name", scene.method},
@@ -172,7 +172,7 @@ std::string render_json(const audit::DrawnScene& drawn, const std::vector<std::s
 }
 
 // A path: every frame by its number, in a folder.
-int render_path(const RenderOptions& options, audit::Scene scene,
+int render_path(const RenderOptions& options, const audit::Scene& scene,
                 const std::vector<audit::CameraDescription>& frames, Target target,
                 const Invocation& invocation) {
   if (target != Target::Folder || !options.mesh.empty())
@@ -183,6 +183,9 @@ int render_path(const RenderOptions& options, audit::Scene scene,
   Progress progress;
   progress.step("reading the terrain");
   terrain::Heightfield field = terrain::load_terrain(scene.terrain, scene.read);
+  std::vector<audit::CameraDescription> placed;  // one that is none is known before all the work
+  for (const audit::CameraDescription& frame : frames)
+    placed.push_back(audit::place_camera(frame, field).description);
   const fs::path folder(options.output);
   std::error_code error;
   fs::create_directories(folder, error);
@@ -190,22 +193,20 @@ int render_path(const RenderOptions& options, audit::Scene scene,
   nlohmann::ordered_json json{{"schema", "plumb.render-path/1"},
                               {"command", invocation.command_line()}};
   std::vector<std::vector<std::string>> rows;
-  for (std::size_t k = 1; k <= frames.size(); ++k) {
-    scene.camera = frames[k - 1];
-    progress.step(fmt::format("frame {} of {}", k, frames.size()));
-    audit::DrawnScene drawn =
-        audit::draw_scene_on(std::move(field), scene, audit::built_in_methods(), version_number());
+  audit::SceneDrawer drawer(std::move(field), scene, audit::built_in_methods(), version_number());
+  for (std::size_t k = 1; k <= placed.size(); ++k) {
+    progress.step(fmt::format("frame {} of {}", k, placed.size()));
+    const audit::DrawnScene drawn = drawer.draw(placed[k - 1]);
     const std::string name = frame_name(k);
     image::write_exr((folder / (name + ".exr")).string(), drawn.picture);
     image::write_png((folder / (name + ".png")).string(), audit::preview_of(drawn.picture));
     rows.push_back({name, std::to_string(pixels_with_terrain(drawn.hits)),
                     std::to_string(drawn.surface.cost.triangles), checksum_text(drawn),
-                    fmt::format("{:.3f}", drawn.times.prepare_s + drawn.times.draw_s)});
+                    fmt::format("{:.3f}", drawn.times.draw_s)});
     json["frames"].push_back({{"name", name},
                               {"checksum", checksum_text(drawn)},
                               {"triangles", drawn.surface.cost.triangles},
                               {"scene", audit::to_toml(drawn.scene)}});
-    field = std::move(drawn.field);
   }
   progress.finish();
   if (options.json) {

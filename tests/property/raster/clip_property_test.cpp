@@ -75,7 +75,7 @@ TEST(ClipProperty, KeepsWhatNoPlaneCutsOffAndStaysBeyondTheNearPlane) {
   for (unsigned seed = 0; seed < 20000; ++seed) {
     const Pair pair = random_pair(seed);
     const std::vector<glm::dvec3> vertices{pair.a, pair.b, pair.left};
-    const std::vector<ScreenVertex> window = transform(pair.projection, vertices);
+    const ScreenVertices window = transform(pair.projection, vertices);
     std::array<ClippedPiece, kMostPieces> pieces;
     const int count = clip_triangle(pair.projection, {pair.a, pair.b, pair.left}, pieces);
     ASSERT_LE(count, kMostPieces);

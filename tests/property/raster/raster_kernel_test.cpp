@@ -43,7 +43,7 @@ TEST(VertexKernel, HasTheBitsOfTheProjection) {
     }
     for (const InstructionSet set : available_instruction_sets()) {
       const ForcedInstructionSet forced(set);
-      const std::vector<ScreenVertex> window = transform(projection, vertices);
+      const ScreenVertices window = transform(projection, vertices);
       for (std::size_t k = 0; k < vertices.size(); ++k) {
         const glm::dvec3 view = projection.view(projection.from_eye(vertices[k]));
         const unsigned code = projection.outcode(view);

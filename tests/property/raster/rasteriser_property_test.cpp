@@ -1,7 +1,9 @@
 // What must hold for every mesh, tried on random ones.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <tuple>
 
@@ -290,6 +292,52 @@ TEST(RasteriserProperty, GivesTheSameBitsOnAnyNumberOfThreadsAndForAnyTilesAndCh
       EXPECT_EQ(again.fragments, first.fragments);
     }
   }
+}
+
+// Cameras in the ground, above and beside it, looking anywhere; a camera that sees nothing too.
+TEST(RasteriserProperty, GivesTheSameBitsWithRunsOutOfViewLeftOut) {
+  const TriangleMesh mesh = rough_ground(200);
+  const MeshRuns runs(mesh);
+  ASSERT_EQ(runs.count(), 157u);  // 80,000 / 512, and the rest
+  Random random(23);
+  std::size_t left_out = 0;
+  for (int round = 0; round < 200; ++round) {
+    const auto place = [&](double reach, double up) {
+      return mesh.origin_m + glm::dvec3(random.between(-reach, reach),
+                                        random.between(-reach, reach), random.between(-up, up));
+    };
+    const Camera camera = make_camera({.eye_m = place(250, 20),
+                                       .target_m = place(250, 40),
+                                       .fov_y_deg = random.between(2, 120),
+                                       .width_px = 97,
+                                       .height_px = 61,
+                                       .near_m = random.between(0.01, 30)});
+    const std::vector<std::uint8_t> in_view = runs.in_view(camera);
+    left_out += static_cast<std::size_t>(std::count(in_view.begin(), in_view.end(), 0));
+    const RasterResult all = rasterise(mesh, camera);
+    for (const int chunk : {0, 700}) {
+      const RasterResult some = rasterise(mesh, camera, {.chunk_triangles = chunk, .runs = &runs});
+      ASSERT_EQ(test::checksum(some.image), test::checksum(all.image)) << round;
+      ASSERT_EQ(some.fragments, all.fragments);
+    }
+  }
+  EXPECT_GT(left_out, 200 * runs.count() / 4);
+}
+
+TEST(RasteriserProperty, RefusesRunsOfAnotherMesh) {
+  const TriangleMesh mesh = rough_ground(20), other = rough_ground(21);
+  const MeshRuns runs(other);
+  const Camera camera = make_camera({.eye_m = mesh.origin_m + glm::dvec3(0, 0, 50),
+                                     .target_m = mesh.origin_m,
+                                     .width_px = 8,
+                                     .height_px = 8});
+  EXPECT_THROW(rasterise(mesh, camera, {.runs = &runs}), std::invalid_argument);
+  TriangleMesh broken = mesh;
+  broken.triangles.back()[1] = 1000;
+  EXPECT_THROW(MeshRuns{broken}, std::invalid_argument);
+  broken = mesh;
+  broken.vertices_m[7].z = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(MeshRuns{broken}, std::invalid_argument);
 }
 
 }  // namespace
