@@ -1,6 +1,5 @@
 #include "audit/audit.h"
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -8,17 +7,13 @@
 #include "audit/claim_check.h"
 #include "audit/nearest_error.h"
 #include "core/check.h"
-#include "core/parallel.h"
+#include "core/stopwatch.h"
 #include "raster/rasteriser.h"
 
 namespace plumb::audit {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 void require_consistent(const HitImage& true_hits, const DrawnSurface& surface,
                         const HitImage& drawn, const Camera& camera) {
@@ -59,7 +54,7 @@ AuditResult audit_picture(const HeightfieldTruth& truth, HitImage true_hits,
                           const DrawnSurface& surface, HitImage drawn, const Camera& camera,
                           const AuditOptions& options) {
   require_consistent(true_hits, surface, drawn, camera);
-  const auto start = std::chrono::steady_clock::now();
+  Stopwatch watch;
   AuditResult result;
   result.cost = surface.cost;
   result.true_hits = std::move(true_hits);
@@ -86,20 +81,19 @@ AuditResult audit_picture(const HeightfieldTruth& truth, HitImage true_hits,
   result.topology = topology_of(truth, surface, edges, options.most_listed);
   result.topology.overlapped_samples = result.samples.overlapped;
   check_claims(result, truth, surface, camera, options);
-  result.times.measure_s = seconds_since(start);
+  result.times.measure_s = watch.lap_s();
   return result;
 }
 
 AuditResult audit_surface(const HeightfieldTruth& truth, const DrawnSurface& surface,
                           const Camera& camera, const AuditOptions& options) {
   require(surface.mesh != nullptr, "a drawn surface needs a mesh");
-  auto start = std::chrono::steady_clock::now();
+  Stopwatch watch;
   HitImage true_hits = truth.caster.cast_frame(camera);
-  const double truth_s = seconds_since(start);
-  start = std::chrono::steady_clock::now();
+  const double truth_s = watch.lap_s();
   raster::RasterResult raster =
       raster::rasterise(*surface.mesh, camera, {.runs = surface.runs.get()});
-  const double raster_s = seconds_since(start);
+  const double raster_s = watch.lap_s();
   AuditResult result =
       audit_picture(truth, std::move(true_hits), surface, std::move(raster.image), camera, options);
   result.cost.fragments = raster.fragments;

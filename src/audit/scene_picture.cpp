@@ -1,11 +1,11 @@
 #include "audit/scene_picture.h"
 
-#include <chrono>
 #include <memory>
 #include <utility>
 
 #include "audit/picture.h"
 #include "core/memory.h"
+#include "core/stopwatch.h"
 #include "raster/rasteriser.h"
 #include "reference/pyramid_caster.h"
 #include "terrain/terrain_source.h"
@@ -17,19 +17,6 @@ namespace {
 constexpr std::int64_t kBytesPerPixel =
     sizeof(double) + sizeof(glm::dvec3) + sizeof(std::uint32_t) + sizeof(std::uint16_t) +
     sizeof(glm::dvec3) + 2 * sizeof(int) + (3 + 13 + 13) * sizeof(float);
-
-class Clock {
- public:
-  double lap_s() {
-    const auto now = std::chrono::steady_clock::now();
-    const std::chrono::duration<double> taken = now - start_;
-    start_ = now;
-    return taken.count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 PictureMaker maker_of(const Scene& scene, terrain::Diagonal diagonal,
                       const std::string& program_version) {
@@ -81,7 +68,7 @@ SceneDrawer::SceneDrawer(terrain::Heightfield field, Scene scene, const MethodTa
 SceneDrawer::~SceneDrawer() = default;
 
 void SceneDrawer::prepare() {
-  Clock clock;
+  Stopwatch watch;
   auto painter = std::make_unique<Painter>();
   if (scene_.painter == audit::Painter::Truth) {
     painter->caster = std::make_unique<const reference::PyramidCaster>(*field_, diagonal_);
@@ -89,7 +76,7 @@ void SceneDrawer::prepare() {
     painter->method = prepare_method(*method_, *field_, scene_.choice, scene_.tolerance);
   }
   painter_ = std::move(painter);
-  prepare_s_ = clock.lap_s();
+  prepare_s_ = watch.lap_s();
 }
 
 DrawnScene SceneDrawer::draw(const CameraDescription& camera, const StepListener& on_step) {
@@ -109,7 +96,7 @@ DrawnScene SceneDrawer::draw(const CameraDescription& camera, const StepListener
                  fmt::format("a picture of {} x {} pixels", width_px, height_px));
   step(by_rays ? "casting rays" : "drawing the surface");
   if (!painter_) prepare();
-  Clock clock;
+  Stopwatch watch;
   if (by_rays) {
     drawn.hits = painter_->caster->cast_frame(drawn.camera);
   } else {
@@ -120,22 +107,22 @@ DrawnScene SceneDrawer::draw(const CameraDescription& camera, const StepListener
     drawn.surface.cost.fragments = raster.fragments;
   }
   drawn.times.prepare_s = prepare_s_;
-  drawn.times.draw_s = clock.lap_s();
+  drawn.times.draw_s = watch.lap_s();
   step("making the picture");
   const PictureMaker maker = maker_of(drawn.scene, diagonal_, program_version_);
   drawn.picture = by_rays ? draw_truth_picture(*field_, drawn.hits, drawn.camera, maker)
                           : draw_picture(*field_, drawn.hits, drawn.surface, drawn.camera, maker);
-  drawn.times.picture_s = clock.lap_s();
+  drawn.times.picture_s = watch.lap_s();
   return drawn;
 }
 
 DrawnScene draw_scene(const Scene& scene, const MethodTable& table,
                       const std::string& program_version, const StepListener& on_step) {
   method_of(scene, table);  // before the terrain is read
-  Clock clock;
+  Stopwatch watch;
   if (on_step) on_step("reading the terrain");
   terrain::Heightfield field = terrain::load_terrain(scene.terrain, scene.read);
-  const double read_s = clock.lap_s();
+  const double read_s = watch.lap_s();
   SceneDrawer drawer(std::move(field), scene, table, program_version);
   DrawnScene drawn = drawer.draw(scene.camera, on_step);
   drawn.times.read_s = read_s;

@@ -27,10 +27,6 @@ struct Canyon {
   std::vector<Layer> layers;
 };
 
-double random_part(std::int64_t a, std::int64_t b, std::uint64_t seed) {
-  return lattice_hash(a, b, seed) * 0x1p-32;
-}
-
 std::vector<Layer> layers_of(int count, std::uint64_t seed) {
   std::vector<Layer> layers(static_cast<std::size_t>(count));
   double width = 0.0, rise = 0.0;
@@ -38,9 +34,9 @@ std::vector<Layer> layers_of(int count, std::uint64_t seed) {
     Layer& layer = layers[static_cast<std::size_t>(k)];
     layer.foot_at = width;
     layer.foot = rise;
-    width += layer.width = 0.6 + 0.8 * random_part(k, 1, seed);
-    rise += layer.rise = 0.5 + random_part(k, 2, seed);
-    layer.cliff = 0.45 + 0.45 * random_part(k, 3, seed);
+    width += layer.width = 0.6 + 0.8 * lattice_part(k, 1, seed);
+    rise += layer.rise = 0.5 + lattice_part(k, 2, seed);
+    layer.cliff = 0.45 + 0.45 * lattice_part(k, 3, seed);
   }
   for (Layer& layer : layers) {
     layer.foot_at /= width;
@@ -80,8 +76,8 @@ struct Branch {
 /// from it.
 Branch branch_at(const Branches& b, std::int64_t cell, double along, double away) {
   const double mouth =
-      (static_cast<double>(cell) + 0.2 + 0.6 * random_part(cell, 1, b.seed)) * b.every;
-  const double length = b.length * (0.5 + random_part(cell, 2, b.seed));
+      (static_cast<double>(cell) + 0.2 + 0.6 * lattice_part(cell, 1, b.seed)) * b.every;
+  const double length = b.length * (0.5 + lattice_part(cell, 2, b.seed));
   return {along - mouth, std::max(0.0, away) / length};
 }
 

@@ -18,7 +18,7 @@ std::size_t void_level(int i, int j, std::uint64_t seed) {
   constexpr double kBlob = 1.0 / 24.0;  // in samples
   // Half a lattice step aside, as the noise is 0 on the lattice; a little hash parts equals.
   const double noise = gradient_noise((i + 0.5) * kBlob, (j + 0.5) * kBlob, seed);
-  const double fine = lattice_hash(i, j, ~seed) * 0x1p-32;
+  const double fine = lattice_part(i, j, ~seed);
   const double level = ((noise + 1.0) * 0.5 * 0.98 + 0.02 * fine) * (kLevels - 1);
   return static_cast<std::size_t>(level);
 }

@@ -14,6 +14,11 @@ inline std::uint32_t lattice_hash(std::int64_t x, std::int64_t y, std::uint64_t 
   return static_cast<std::uint32_t>(h ^ (h >> 32));
 }
 
+/// The same as a number in [0, 1).
+inline double lattice_part(std::int64_t x, std::int64_t y, std::uint64_t seed) {
+  return lattice_hash(x, y, seed) * 0x1p-32;
+}
+
 /// Product of the offset (dx, dy) from a lattice point with the point's unit gradient, one of
 /// sixteen directions 22.5 degrees apart.
 inline double lattice_slope(std::int64_t x, std::int64_t y, std::uint64_t seed, double dx,

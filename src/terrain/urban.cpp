@@ -41,7 +41,7 @@ struct Dice {
   std::int64_t column, row;
   std::uint64_t seed;
   double operator()(std::uint64_t which) const {
-    return lattice_hash(column, row, seed + 0x632be59bd9b4e019ULL * (which + 1)) * 0x1p-32;
+    return lattice_part(column, row, seed + 0x632be59bd9b4e019ULL * (which + 1));
   }
 };
 
@@ -73,7 +73,7 @@ double pitched_roof(const Town& town, const Box2& building, double storeys, Poin
 
 /// Streets lie on both sides of the line between blocks k - 1 and k, which is moved a little.
 double street_line(std::int64_t k, double pitch, std::uint64_t seed) {
-  return (static_cast<double>(k) + 0.24 * lattice_hash(k, 0, seed) * 0x1p-32) * pitch;
+  return (static_cast<double>(k) + 0.24 * lattice_part(k, 0, seed)) * pitch;
 }
 
 struct Span {

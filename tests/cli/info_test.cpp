@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "support/run_command.h"
@@ -50,6 +51,30 @@ TEST(Info, IsTheSameForAnyNumberOfThreads) {
   one.push_back("1");
   seven.push_back("7");
   EXPECT_EQ(run_plumb(one).out, run_plumb(seven).out);
+}
+
+// Three seconds of arc, big endian, every sample 258 m but two voids; its name says nothing.
+TEST(Info, TakesAnHgtFileOfAnyNameWithItsOrigin) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("somewhere.hgt");
+  {
+    std::string bytes(2 * 1201 * 1201, '\x01');
+    for (std::size_t k = 1; k < bytes.size(); k += 2) bytes[k] = '\x02';
+    for (const std::size_t voids : {std::size_t{0}, bytes.size() / 2 - 1}) {
+      bytes[voids - voids % 2] = '\x80';
+      bytes[voids - voids % 2 + 1] = '\x00';
+    }
+    std::ofstream(file, std::ios::binary) << bytes;
+  }
+  const CommandResult without = run_plumb({"info", file});
+  EXPECT_EQ(without.status, 2);
+  EXPECT_NE(without.err.find("--origin LON,LAT"), std::string::npos) << without.err;
+  const nlohmann::json info = info_of({file, "--origin", "8,46"});
+  EXPECT_EQ(info.at("terrain").at("columns"), 1201);
+  EXPECT_EQ(info.at("voids").at("samples"), 2);
+  EXPECT_EQ(info.at("highest").at("height_m"), 258.0);
+  EXPECT_NE(std::string(info.at("command")).find("--origin 8,46"), std::string::npos);
+  EXPECT_EQ(run_plumb({"info", file, "--origin", "8,91"}).status, 2);
 }
 
 // As the folder's own README states it.

@@ -1,7 +1,6 @@
 // plumb audit: how wrong a method's picture is, where, and whether it kept its promise.
 #include <fmt/format.h>
 
-#include <chrono>
 #include <iostream>
 #include <memory>
 
@@ -12,6 +11,7 @@
 #include "command.h"
 #include "common_options.h"
 #include "core/parallel.h"
+#include "core/stopwatch.h"
 #include "method_options.h"
 #include "progress.h"
 #include "terrain/mesh_file.h"
@@ -34,10 +34,6 @@ struct AuditCommandOptions {
   bool json = false;
   int threads = 0;
 };
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 // What is drawn, and how long it took: a method's surface, or a mesh from a file.
 struct Subject {
@@ -92,10 +88,10 @@ void prepare(Run& run) {
     return;
   }
   run.progress.step("preparing the method");
-  const auto start = std::chrono::steady_clock::now();
+  Stopwatch watch;
   run.prepared = audit::prepare_method(*run.request.method, run.field, run.request.choice,
                                        run.request.tolerance);
-  run.drawn.prepare_s = seconds_since(start);
+  run.drawn.prepare_s = watch.lap_s();
 }
 
 struct Audited {
@@ -108,9 +104,9 @@ Audited audit_frame(Run& run, const Camera& camera, const std::string& frame) {
   const std::string where = frame.empty() ? "" : frame + ": ";
   if (run.prepared) {
     run.progress.step(where + "drawing");
-    const auto start = std::chrono::steady_clock::now();
+    Stopwatch watch;
     run.drawn.surface = run.prepared->draw(camera, run.request.tolerance);
-    run.drawn.draw_s = seconds_since(start);
+    run.drawn.draw_s = watch.lap_s();
   }
   run.progress.step(where + "casting the truth and measuring");
   Audited audited{audit::audit_surface(run.truth, run.drawn.surface, camera, run.measures),

@@ -1,7 +1,6 @@
 // plumb truth: rays against the full-detail surface, by one caster or by two that must agree.
 #include <fmt/format.h>
 
-#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -17,6 +16,7 @@
 #include "core/check.h"
 #include "core/hash.h"
 #include "core/parallel.h"
+#include "core/stopwatch.h"
 #include "image/image_files.h"
 #include "progress.h"
 #include "reference/embree_caster.h"
@@ -43,19 +43,14 @@ struct Cast {
   double build_s = 0.0, cast_s = 0.0;
 };
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 template <class MakeCaster>
 Cast cast_with(const MakeCaster& make_caster, const Camera& camera) {
   Cast cast;
-  auto start = std::chrono::steady_clock::now();
+  Stopwatch watch;
   const auto caster = make_caster();
-  cast.build_s = seconds_since(start);
-  start = std::chrono::steady_clock::now();
+  cast.build_s = watch.lap_s();
   cast.hits = caster.cast_frame(camera);
-  cast.cast_s = seconds_since(start);
+  cast.cast_s = watch.lap_s();
   return cast;
 }
 

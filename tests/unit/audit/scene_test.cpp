@@ -27,6 +27,7 @@ no_data = "fill"
 crs = "EPSG:2056"
 raw = "10x20"
 byte_order = "big"
+origin = [8.5, -46]
 diagonal = "blocks:8"
 
 [camera]
@@ -72,6 +73,9 @@ TEST(Scene, GivesEveryValueThatItHolds) {
   const Scene scene = parse_scene(kWhole, "s.toml", "/data");
   EXPECT_EQ(scene.terrain, "/data/dem/alps.tif");
   EXPECT_EQ(scene.read.window, (terrain::Window{4, 5, 60, 70}));
+  ASSERT_TRUE(scene.read.origin);
+  EXPECT_EQ(scene.read.origin->longitude_deg, 8.5);
+  EXPECT_EQ(scene.read.origin->latitude_deg, -46.0);
   EXPECT_EQ(scene.read.spacing_x_m, 30.0);
   EXPECT_EQ(scene.read.spacing_y_m, 25.5);
   EXPECT_EQ(scene.read.band, 2);
