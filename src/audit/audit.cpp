@@ -92,7 +92,7 @@ AuditResult audit_surface(const HeightfieldTruth& truth, const DrawnSurface& sur
   HitImage true_hits = truth.caster.cast_frame(camera);
   const double truth_s = watch.lap_s();
   raster::RasterResult raster =
-      raster::rasterise(*surface.mesh, camera, {.runs = surface.runs.get()});
+      raster::rasterise(*surface.mesh, camera, {.runs = surface.usable_runs()});
   const double raster_s = watch.lap_s();
   AuditResult result =
       audit_picture(truth, std::move(true_hits), surface, std::move(raster.image), camera, options);

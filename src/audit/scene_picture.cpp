@@ -102,7 +102,7 @@ DrawnScene SceneDrawer::draw(const CameraDescription& camera, const StepListener
   } else {
     drawn.surface = painter_->method->draw(drawn.camera, scene_.tolerance);
     raster::RasterResult raster =
-        raster::rasterise(*drawn.surface.mesh, drawn.camera, {.runs = drawn.surface.runs.get()});
+        raster::rasterise(*drawn.surface.mesh, drawn.camera, {.runs = drawn.surface.usable_runs()});
     drawn.hits = std::move(raster.image);
     drawn.surface.cost.fragments = raster.fragments;
   }

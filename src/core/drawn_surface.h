@@ -36,6 +36,12 @@ struct DrawnSurface {
   std::vector<Claim> claims;
   Cost cost;
   std::vector<std::string> notes;  // what a user should know: bounds out of reach, choices made
+
+  /// `runs` if they are those of `mesh`, else null: somebody may have put another mesh in its
+  /// place.
+  const MeshRuns* usable_runs() const {
+    return runs != nullptr && runs->mesh() == mesh ? runs.get() : nullptr;
+  }
 };
 
 /// Index of the patch that holds a triangle; 0 where the surface has no patches.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "core/check.h"
 #include "core/parallel.h"
@@ -41,16 +42,14 @@ Run run_of(const TriangleMesh& mesh, std::size_t run) {
 
 }  // namespace
 
-MeshRuns::MeshRuns(const TriangleMesh& mesh)
-    : origin_m_(mesh.origin_m),
-      triangles_(mesh.triangles.size()),
-      vertices_(mesh.vertices_m.size()),
-      boxes_((triangles_ + kTriangles - 1) / kTriangles),
+MeshRuns::MeshRuns(std::shared_ptr<const TriangleMesh> mesh)
+    : mesh_(std::move(mesh)),
+      boxes_((mesh_->triangles.size() + kTriangles - 1) / kTriangles),
       first_chunk_(boxes_.size() + 1, 0) {
   std::vector<std::vector<std::uint32_t>> chunks(boxes_.size());
   parallel_for(static_cast<std::int64_t>(boxes_.size()), kGrain, [&](std::int64_t k) {
     const auto run = static_cast<std::size_t>(k);
-    Run found = run_of(mesh, run);
+    Run found = run_of(*mesh_, run);
     boxes_[run] = found.box;
     first_chunk_[run + 1] = found.chunks.size();
     chunks[run] = {found.chunks.begin(), found.chunks.end()};  // no larger than it need be
@@ -65,7 +64,7 @@ MeshRuns::MeshRuns(const TriangleMesh& mesh)
 
 std::vector<std::uint8_t> MeshRuns::in_view(const Camera& camera) const {
   std::vector<std::uint8_t> seen(boxes_.size());
-  const Camera local = relative_to(camera, origin_m_);
+  const Camera local = relative_to(camera, mesh_->origin_m);
   parallel_for(static_cast<std::int64_t>(boxes_.size()), kGrain, [&](std::int64_t k) {
     const auto run = static_cast<std::size_t>(k);
     seen[run] = may_be_in_view(local, boxes_[run]) ? 1 : 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -23,11 +24,10 @@ class MeshRuns {
 
   /// Throws std::invalid_argument if a triangle names a vertex that is not there or a vertex is not
   /// finite. Holds about a quarter of a byte a triangle.
-  explicit MeshRuns(const TriangleMesh& mesh);
+  explicit MeshRuns(std::shared_ptr<const TriangleMesh> mesh);
 
   std::size_t count() const { return boxes_.size(); }
-  std::size_t triangles() const { return triangles_; }
-  std::size_t vertices() const { return vertices_; }
+  const std::shared_ptr<const TriangleMesh>& mesh() const { return mesh_; }
   /// Relative to the mesh's origin.
   const Box& box(std::size_t run) const { return boxes_[run]; }
   std::span<const std::uint32_t> vertex_chunks(std::size_t run) const {
@@ -38,8 +38,7 @@ class MeshRuns {
   std::vector<std::uint8_t> in_view(const Camera& camera) const;
 
  private:
-  glm::dvec3 origin_m_;
-  std::size_t triangles_, vertices_;
+  std::shared_ptr<const TriangleMesh> mesh_;
   std::vector<Box> boxes_;
   std::vector<std::size_t> first_chunk_;  // of each run; one more at the end
   std::vector<std::uint32_t> chunks_;

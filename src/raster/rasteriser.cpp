@@ -40,8 +40,7 @@ Geometry make_geometry(const TriangleMesh& mesh, const Camera& camera,
           options.chunk_triangles);
   require(mesh.triangles.size() < std::numeric_limits<std::uint32_t>::max(),
           "a mesh may have at most 2^32 - 2 triangles, got {}", mesh.triangles.size());
-  require(options.runs == nullptr || (options.runs->triangles() == mesh.triangles.size() &&
-                                      options.runs->vertices() == mesh.vertices_m.size()),
+  require(options.runs == nullptr || options.runs->mesh().get() == &mesh,
           "runs must be those of the mesh");
   require(options.runs != nullptr || indices_in_range(mesh),
           "a triangle names a vertex that the mesh does not have");

@@ -103,7 +103,8 @@ WindowTransform window_transform(const Projection& projection) {
 // Which chunks of vertices the runs in view use.
 std::vector<std::uint8_t> chunks_in_view(const MeshRuns& runs,
                                          std::span<const std::uint8_t> in_view) {
-  std::vector<std::uint8_t> used((runs.vertices() + MeshRuns::kVertices - 1) / MeshRuns::kVertices);
+  std::vector<std::uint8_t> used((runs.mesh()->vertices_m.size() + MeshRuns::kVertices - 1) /
+                                 MeshRuns::kVertices);
   for (std::size_t run = 0; run < runs.count(); ++run) {
     if (in_view[run] == 0) continue;
     for (const std::uint32_t chunk : runs.vertex_chunks(run)) used[chunk] = 1;

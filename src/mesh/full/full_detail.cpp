@@ -98,8 +98,8 @@ Prepared prepare(const Heightfield& field, const Parameters& parameters) {
   surface.cost.bytes_resident =
       surface.cost.vertices * static_cast<std::int64_t>(sizeof(glm::dvec3)) +
       surface.cost.triangles * static_cast<std::int64_t>(sizeof(Triangle));
-  surface.runs = std::make_shared<const MeshRuns>(*mesh);
   surface.mesh = std::move(mesh);
+  surface.runs = std::make_shared<const MeshRuns>(surface.mesh);
   return {std::move(surface)};
 }
 

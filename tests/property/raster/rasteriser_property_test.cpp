@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <random>
 #include <tuple>
 
@@ -296,8 +297,9 @@ TEST(RasteriserProperty, GivesTheSameBitsOnAnyNumberOfThreadsAndForAnyTilesAndCh
 
 // Cameras in the ground, above and beside it, looking anywhere; a camera that sees nothing too.
 TEST(RasteriserProperty, GivesTheSameBitsWithRunsOutOfViewLeftOut) {
-  const TriangleMesh mesh = rough_ground(200);
-  const MeshRuns runs(mesh);
+  const auto shared = std::make_shared<const TriangleMesh>(rough_ground(200));
+  const TriangleMesh& mesh = *shared;
+  const MeshRuns runs(shared);
   ASSERT_EQ(runs.count(), 157u);  // 80,000 / 512, and the rest
   Random random(23);
   std::size_t left_out = 0;
@@ -325,18 +327,18 @@ TEST(RasteriserProperty, GivesTheSameBitsWithRunsOutOfViewLeftOut) {
 }
 
 TEST(RasteriserProperty, RefusesRunsOfAnotherMesh) {
-  const TriangleMesh mesh = rough_ground(20), other = rough_ground(21);
-  const MeshRuns runs(other);
+  const TriangleMesh mesh = rough_ground(20);
+  const MeshRuns runs(std::make_shared<const TriangleMesh>(mesh));  // equal, and yet another
   const Camera camera = make_camera({.eye_m = mesh.origin_m + glm::dvec3(0, 0, 50),
                                      .target_m = mesh.origin_m,
                                      .width_px = 8,
                                      .height_px = 8});
   EXPECT_THROW(rasterise(mesh, camera, {.runs = &runs}), std::invalid_argument);
-  TriangleMesh broken = mesh;
-  broken.triangles.back()[1] = 1000;
+  auto broken = std::make_shared<TriangleMesh>(mesh);
+  broken->triangles.back()[1] = 1000;
   EXPECT_THROW(MeshRuns{broken}, std::invalid_argument);
-  broken = mesh;
-  broken.vertices_m[7].z = std::numeric_limits<double>::quiet_NaN();
+  broken = std::make_shared<TriangleMesh>(mesh);
+  broken->vertices_m[7].z = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(MeshRuns{broken}, std::invalid_argument);
 }
 
