@@ -36,8 +36,9 @@ std::uint32_t chunk_size(const Tiling& tiling, const RasterOptions& options);
 
 /// `rasterise` (see rasteriser.h) where a fragment exists only if `keep(fragment)` says so.
 ///
-/// keep  bool(const Fragment&), called once for every covered pixel of every triangle, in no
-///       particular order and from several threads at once: it has no memory
+/// keep  bool(Fragment&), called once for every covered pixel of every triangle, in no particular
+///       order and from several threads at once: it has no memory. It may write the depth and the
+///       point of what it keeps
 template <class Keep>
 RasterResult rasterise(const TriangleMesh& mesh, const Camera& camera, const RasterOptions& options,
                        const Keep& keep) {

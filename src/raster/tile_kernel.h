@@ -121,13 +121,15 @@ class TileKernel {
 
   // `share` is l_i / w_i. Returns 1 if the fragment is kept, whether or not it is the nearest.
   int shade(const Primitive& primitive, const glm::dvec3& share, int x, int y) const {
-    const double depth_m = 1.0 / (share.x + share.y + share.z);
+    double depth_m = 1.0 / (share.x + share.y + share.z);
     if (depth_m > geometry_.projection.camera.far_m) return 0;
     const std::size_t pixel = image_.index(x, y);
     glm::dvec3 point_m;
     if constexpr (!std::is_same_v<Keep, KeepAll>) {
-      point_m = point_at(primitive, share * depth_m);
-      if (!keep_(Fragment{x, y, primitive.triangle, depth_m, point_m})) return 0;
+      Fragment fragment{x, y, primitive.triangle, depth_m, point_at(primitive, share * depth_m)};
+      if (!keep_(fragment)) return 0;
+      depth_m = fragment.depth_m;
+      point_m = fragment.from_eye_m;
     }
     std::uint16_t& overdraw = image_.overdraw[pixel];
     if (overdraw < std::numeric_limits<std::uint16_t>::max()) ++overdraw;

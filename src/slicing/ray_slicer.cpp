@@ -1,0 +1,152 @@
+#include "slicing/ray_slicer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/parallel.h"
+
+namespace plumb::slicing {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct Interval {
+  double begin, end;
+  bool empty() const { return !(begin <= end); }
+};
+
+// Where the ray is inside the box, widened by more than the roundings of a quotient.
+Interval inside(const SliceRay& ray, const Box& box, Interval all) {
+  constexpr double kWider = 1e-12;
+  for (int k = 0; k < 3; ++k) {
+    if (ray.direction[k] == 0.0) {
+      if (!(ray.eye_m[k] >= box.low[k] && ray.eye_m[k] <= box.high[k])) return {1.0, 0.0};
+      continue;
+    }
+    double a = (box.low[k] - ray.eye_m[k]) / ray.direction[k],
+           b = (box.high[k] - ray.eye_m[k]) / ray.direction[k];
+    if (a > b) std::swap(a, b);
+    all.begin = std::max(all.begin, a - kWider * std::abs(a));
+    all.end = std::min(all.end, b + kWider * std::abs(b));
+  }
+  return all;
+}
+
+class RaySlicer {
+ public:
+  RaySlicer(const SlicingTree& tree, const SlicingCut& cut, const HeightLookup& heights,
+            double near_m, double far_m)
+      : tree_(tree), cut_(cut), heights_(heights), all_{near_m, far_m} {}
+
+  SliceHit cast(const SliceRay& ray, std::int64_t& tested) const {
+    SliceHit best;
+    visit(0, ray, best, tested);
+    return best;
+  }
+
+ private:
+  void visit(std::uint32_t index, const SliceRay& ray, SliceHit& best, std::int64_t& tested) const {
+    const NodeUse use = cut_.use[index];
+    if (use != NodeUse::Inner && use != NodeUse::Bundle) return;
+    const Interval part = inside(ray, cut_.reach[index], all_);
+    if (part.empty() || part.begin > best.t) return;
+    if (use == NodeUse::Bundle) {
+      meet_bundle(cut_.bundle_of[index], ray, part, best, tested);
+      return;
+    }
+    std::array<std::uint32_t, 4> order = tree_.children(index);
+    if (ray.direction.x < 0.0) {
+      std::swap(order[0], order[1]);
+      std::swap(order[2], order[3]);
+    }
+    if (ray.direction.y < 0.0) {
+      std::swap(order[0], order[2]);
+      std::swap(order[1], order[3]);
+    }
+    for (const std::uint32_t child : order) visit(child, ray, best, tested);
+  }
+
+  void meet_bundle(std::uint32_t number, const SliceRay& ray, const Interval& part, SliceHit& best,
+                   std::int64_t& tested) const {
+    const SliceBundle& bundle = cut_.bundles[number];
+    if (bundle.closed) meet_closing_quads(number, ray, best, tested);
+    const int n = index_of(bundle.axis);
+    const double step = ray.direction[n];
+    if (step == 0.0) return;  // along the planes
+    // The planes between the ends of the part, and one more at each end for the roundings.
+    const double from = ray.eye_m[n] + part.begin * step, to = ray.eye_m[n] + part.end * step;
+    const auto plane_near = [&](double at) {
+      const double j = bundle.spacing_m > 0.0 ? (at - bundle.first_m) / bundle.spacing_m : 0.0;
+      return static_cast<int>(std::clamp(std::floor(j), -1.0, static_cast<double>(bundle.count)));
+    };
+    const int low = std::max(0, plane_near(std::min(from, to)) - 1),
+              high = std::min(bundle.count - 1, plane_near(std::max(from, to)) + 1);
+    for (int k = 0; k <= high - low; ++k) {
+      const int j = step > 0.0 ? low + k : high - k;
+      if (meet_quad(number, QuadKind::Slice, bundle.axis, bundle.plane_m(j), ray, best, tested))
+        return;
+    }
+  }
+
+  void meet_closing_quads(std::uint32_t number, const SliceRay& ray, SliceHit& best,
+                          std::int64_t& tested) const {
+    const Box& box = cut_.bundles[number].reach;
+    meet_quad(number, QuadKind::Closing, Axis::X, box.low.x, ray, best, tested);
+    meet_quad(number, QuadKind::Closing, Axis::X, box.high.x, ray, best, tested);
+    meet_quad(number, QuadKind::Closing, Axis::Y, box.low.y, ray, best, tested);
+    meet_quad(number, QuadKind::Closing, Axis::Y, box.high.y, ray, best, tested);
+    meet_quad(number, QuadKind::Closing, Axis::Z, box.low.z, ray, best, tested);
+  }
+
+  // True if no plane behind this one can be nearer than the best.
+  bool meet_quad(std::uint32_t number, QuadKind kind, Axis axis, double at_m, const SliceRay& ray,
+                 SliceHit& best, std::int64_t& tested) const {
+    const SliceBundle& bundle = cut_.bundles[number];
+    if (ray.direction[index_of(axis)] == 0.0) return false;
+    const PlanePoint met = meet_plane(ray, axis, at_m);
+    if (met.t > best.t) return true;
+    if (!(met.t >= all_.begin && met.t <= all_.end) || !is_on_quad(bundle, axis, met.point_m))
+      return false;
+    ++tested;
+    if (!passes(bundle, kind, heights_, met.point_m)) return false;
+    best = std::min(best, SliceHit{met.t, number});
+    return true;
+  }
+
+  const SlicingTree& tree_;
+  const SlicingCut& cut_;
+  const HeightLookup& heights_;
+  Interval all_;  // near and far
+};
+
+}  // namespace
+
+SlicedImage slice_rays(const SlicingTree& tree, const SlicingCut& cut, const Camera& camera,
+                       const HeightLookup& heights) {
+  SlicedImage result;
+  result.image = HitImage(camera.width_px, camera.height_px);
+  result.image.overdraw.assign(result.image.size(), 0);
+  const RaySlicer slicer(tree, cut, heights, camera.near_m, camera.far_m);
+  std::vector<std::int64_t> tested(static_cast<std::size_t>(camera.height_px), 0);
+  parallel_for(camera.height_px, 4, [&](std::int64_t row) {
+    const int y = static_cast<int>(row);
+    for (int x = 0; x < camera.width_px; ++x) {
+      const SliceRay ray{camera.eye_m, ray_direction(camera, x + 0.5, y + 0.5)};
+      std::int64_t met = 0;
+      const SliceHit hit = slicer.cast(ray, met);
+      tested[static_cast<std::size_t>(row)] += met;
+      const std::size_t pixel = result.image.index(x, y);
+      result.image.overdraw[pixel] = static_cast<std::uint16_t>(std::min<std::int64_t>(met, 65535));
+      if (!hit) continue;
+      result.image.depth_m[pixel] = hit.t;
+      result.image.from_eye_m[pixel] = hit.t * ray.direction;
+      result.image.primitive[pixel] = hit.bundle;
+    }
+  });
+  for (const std::int64_t of_row : tested) result.fragments += of_row;
+  return result;
+}
+
+}  // namespace plumb::slicing

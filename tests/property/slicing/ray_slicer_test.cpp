@@ -1,0 +1,200 @@
+// The ray-slicer beside a loop over every plane, and its promise beside the truth.
+#include "slicing/ray_slicer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "core/parallel.h"
+#include "core/screen_error.h"
+#include "reference/pyramid_caster.h"
+#include "reference/surface_height.h"
+#include "slicing/hybrid_frame.h"
+#include "support/random_slices.h"
+
+namespace plumb::slicing {
+namespace {
+
+using terrain::Diagonal;
+using terrain::Heightfield;
+using test_support::Random;
+
+// Every quad of every bundle, one after the other.
+SliceHit by_trying_all(const SlicingCut& cut, const HeightLookup& heights, const SliceRay& ray,
+                       double near_m) {
+  SliceHit best;
+  for (std::uint32_t number = 0; number < cut.bundles.size(); ++number) {
+    const SliceBundle& bundle = cut.bundles[number];
+    const auto quad = [&](QuadKind kind, Axis axis, double at_m) {
+      if (ray.direction[index_of(axis)] == 0.0) return;
+      const PlanePoint met = meet_plane(ray, axis, at_m);
+      if (!(met.t >= near_m) || !is_on_quad(bundle, axis, met.point_m)) return;
+      if (passes(bundle, kind, heights, met.point_m))
+        best = std::min(best, SliceHit{met.t, number});
+    };
+    for (int j = 0; j < bundle.count; ++j) quad(QuadKind::Slice, bundle.axis, bundle.plane_m(j));
+    if (!bundle.closed) continue;
+    quad(QuadKind::Closing, Axis::X, bundle.reach.low.x);
+    quad(QuadKind::Closing, Axis::X, bundle.reach.high.x);
+    quad(QuadKind::Closing, Axis::Y, bundle.reach.low.y);
+    quad(QuadKind::Closing, Axis::Y, bundle.reach.high.y);
+    quad(QuadKind::Closing, Axis::Z, bundle.reach.low.z);
+  }
+  return best;
+}
+
+TEST(RaySlicer, SeesWhatALoopOverEveryPlaneSees) {
+  Random random(41);
+  std::int64_t hits = 0;
+  for (std::uint32_t round = 0; round < 120; ++round) {
+    const Heightfield field = test_support::random_ground(random, round);
+    const SlicingTree tree(field, Diagonal::Alternating, random.chance(0.5) ? 8 : 4);
+    const Camera camera =
+        relative_to(test_support::random_view(random, field), field.world_origin_m());
+    const CutOptions options = test_support::random_cut_options(random);
+    const SlicingCut cut = cut_tree(tree, camera, options);
+    const HeightLookup heights(field, Diagonal::Alternating,
+                               static_cast<Interpolation>(random.integer(0, 2)));
+    const SlicedImage sliced = slice_rays(tree, cut, camera, heights);
+    std::int64_t fragments = 0;
+    for (int y = 0; y < camera.height_px; ++y) {
+      for (int x = 0; x < camera.width_px; ++x) {
+        const SliceRay ray{camera.eye_m, ray_direction(camera, x + 0.5, y + 0.5)};
+        const SliceHit expected = by_trying_all(cut, heights, ray, camera.near_m);
+        const std::size_t pixel = sliced.image.index(x, y);
+        ASSERT_EQ(sliced.image.depth_m[pixel], expected.t) << round << ": " << x << ", " << y;
+        ASSERT_EQ(sliced.image.primitive[pixel], expected.bundle);
+        hits += expected ? 1 : 0;
+        fragments += sliced.image.overdraw[pixel];
+      }
+    }
+    EXPECT_EQ(sliced.fragments, fragments);
+    for (const int threads : {1, 7}) {
+      const ThreadLimit limit(threads);
+      const SlicedImage again = slice_rays(tree, cut, camera, heights);
+      EXPECT_EQ(again.image.depth_m, sliced.image.depth_m);
+      EXPECT_EQ(again.image.overdraw, sliced.image.overdraw);
+    }
+  }
+  EXPECT_GT(hits, 20'000);
+}
+
+// The truth's hit, seen from above: a ray that meets the sheet from below, or only behind what is
+// drawn, got below the ground without crossing it (round the rim, through a void). The truth is a
+// sheet there, slices are a solid.
+bool enters_from_above(const HitImage& truth, std::size_t pixel, double depth_m,
+                       const Heightfield& field) {
+  if (!(truth.depth_m[pixel] <= depth_m * (1.0 + 1e-6))) return false;
+  const glm::dvec3 normal =
+      reference::triangle_normal(field, Diagonal::Alternating, truth.primitive[pixel]);
+  return glm::dot(normal, truth.from_eye_m[pixel]) < 0.0;
+}
+
+// What a conservative frame promises of every pixel that it draws: the ground straight above or
+// below is at most the tolerance away, and hardly ever below.
+TEST(HybridFrame, KeepsItsPromiseWhereItDraws) {
+  Random random(43);
+  std::int64_t sliced = 0, set_aside = 0;
+  double most = 0.0;
+  for (std::uint32_t round = 0; round < 150; ++round) {
+    const Heightfield field = test_support::random_ground(random, round);
+    const SlicingTree tree(field, Diagonal::Alternating);
+    const Camera camera = test_support::random_view(random, field);
+    const Camera local = relative_to(camera, field.world_origin_m());
+    CutOptions options = test_support::random_cut_options(random);
+    options.variant = Variant::Conservative;
+    const SlicingCut cut = cut_tree(tree, local, options);
+    const HeightLookup heights(field, Diagonal::Alternating);
+    const HybridFrame frame = draw_frame(tree, cut, camera, heights);
+    const HitImage truth =
+        reference::PyramidCaster(field, Diagonal::Alternating).cast_frame(camera);
+    for (std::size_t pixel = 0; pixel < frame.image.size(); ++pixel) {
+      const std::uint32_t node = frame.image.primitive[pixel];
+      if (!frame.image.hit(pixel) || cut.use[node] != NodeUse::Bundle) continue;
+      const glm::dvec3 point = local.eye_m + frame.image.from_eye_m[pixel];
+      const double above = heights.height_m(point.x, point.y) - point.z;
+      const double raise_m = cut.bundles[cut.bundle_of[node]].closing_raise_m;
+      if (above > 0.0 && !enters_from_above(truth, pixel, frame.image.depth_m[pixel], field)) {
+        ++set_aside;
+        continue;
+      }
+      ++sliced;
+      ASSERT_GE(above, -raise_m * (1.0 + 1e-9)) << round;
+      const double error = screen_displacement_px(local, point, {0, 0, 1}, above);
+      most = std::max(most, error / options.tolerance_px);
+      ASSERT_LE(error, options.tolerance_px * (1.0 + 1e-9)) << round;
+    }
+  }
+  EXPECT_GT(sliced, 10'000);
+  EXPECT_LT(set_aside, sliced / 20);
+  EXPECT_GT(most, 0.5);  // and does not promise far too little
+}
+
+// And of those that it does not: the truth is met there within the tolerance of a silhouette alone,
+// so never where the truth's neighbours all around are met as well, two pixels wide.
+TEST(HybridFrame, LeavesNoHoles) {
+  Random random(44);
+  std::int64_t terrain_pixels = 0;
+  for (std::uint32_t round = 0; round < 150; ++round) {
+    const Heightfield field = test_support::random_ground(random, round);
+    const SlicingTree tree(field, Diagonal::Alternating);
+    const Camera camera = test_support::random_view(random, field);
+    if (camera.eye_m.z < 130.0) continue;  // below the ground there is a solid, and no sheet
+    CutOptions options = test_support::random_cut_options(random);
+    options.variant = Variant::Conservative;
+    options.tolerance_px = 1.0;
+    const SlicingCut cut = cut_tree(tree, relative_to(camera, field.world_origin_m()), options);
+    const HybridFrame frame =
+        draw_frame(tree, cut, camera, HeightLookup(field, Diagonal::Alternating));
+    const HitImage truth =
+        reference::PyramidCaster(field, Diagonal::Alternating).cast_frame(camera);
+    for (int y = 1; y + 1 < camera.height_px; ++y) {
+      for (int x = 1; x + 1 < camera.width_px; ++x) {
+        bool all = true;
+        for (int b = -1; b <= 1; ++b) {
+          for (int a = -1; a <= 1; ++a) all = all && truth.hit(truth.index(x + a, y + b));
+        }
+        if (!all) continue;
+        ++terrain_pixels;
+        ASSERT_TRUE(frame.image.hit(truth.index(x, y))) << round << ": " << x << ", " << y;
+      }
+    }
+  }
+  EXPECT_GT(terrain_pixels, 20'000);
+}
+
+// Level ground is met exactly by published slices, and by conservative ones down to the bottom of
+// their reach: one plane is enough for either.
+TEST(HybridFrame, NeedsOnePlaneForLevelGround) {
+  Heightfield field;
+  field.heights_m = Grid<float>(129, 129, 5.0f);
+  field.dx_m = field.dy_m = 10.0;
+  const SlicingTree tree(field, Diagonal::Alternating);
+  const Camera camera = make_camera({.eye_m = {640, 640, 905},
+                                     .target_m = {640, 641, 5},
+                                     .fov_y_deg = 40.0,
+                                     .width_px = 64,
+                                     .height_px = 64});
+  for (const Variant variant : {Variant::Published, Variant::Conservative}) {
+    CutOptions options;
+    options.variant = variant;
+    options.hybrid = false;
+    const SlicingCut cut = cut_tree(tree, camera, options);
+    EXPECT_GT(cut.bundles.size(), 0u);
+    const HybridFrame frame =
+        draw_frame(tree, cut, camera, HeightLookup(field, Diagonal::Alternating));
+    for (const SliceBundle& bundle : cut.bundles) EXPECT_EQ(bundle.count, 1);
+    for (std::size_t pixel = 0; pixel < frame.image.size(); ++pixel) {
+      ASSERT_TRUE(frame.image.hit(pixel));
+      const double off_m =
+          variant == Variant::Published
+              ? 0.0
+              : cut.bundles[cut.bundle_of[frame.image.primitive[pixel]]].closing_raise_m;
+      ASSERT_NEAR(camera.eye_m.z + frame.image.from_eye_m[pixel].z, 5.0, off_m + 1e-9);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace plumb::slicing
