@@ -21,7 +21,8 @@ double vertices_s(double count, const CostProfile& profile) {
 double area_s(double area_m2, const BoxView& view, double share, const Camera& camera,
               const CostProfile& profile) {
   const double pixels_per_m = camera.gamma_v / view.distance_m;
-  return area_m2 * share / profile.pixels_per_s * pixels_per_m * pixels_per_m;
+  return std::min(area_m2 * share * pixels_per_m * pixels_per_m, view.most_px) /
+         profile.pixels_per_s;
 }
 
 double area_across_m2(const glm::dvec3& extent, Axis axis) {
@@ -58,7 +59,7 @@ SliceBundle bundle_across(const Box& box, std::uint32_t index, Axis axis, double
 std::optional<PricedBundle> published(const SlicingNode& node, std::uint32_t index,
                                       const Camera& camera, double tolerance_px,
                                       const CostProfile& profile) {
-  const BoxView view = view_of_box(node.box, camera.eye_m, false);
+  const BoxView view = view_of_box(node.box, camera, Variant::Published);
   if (!(view.distance_m > 0.0)) return std::nullopt;
   const glm::dvec3 extent = node.box.high - node.box.low;
   const Axis axis = published_axis(node.box, camera.eye_m);
@@ -96,7 +97,7 @@ double snapping_m(const Box& box, const Camera& camera) {
 std::optional<PricedBundle> conservative(const SlicingNode& node, std::uint32_t index,
                                          const Camera& camera, double tolerance_px,
                                          const CostProfile& profile) {
-  const BoxView view = view_of_box(node.box, camera.eye_m, true);
+  const BoxView view = view_of_box(node.box, camera, Variant::Conservative);
   if (!node.inland || !(view.distance_m > 0.0)) return std::nullopt;
   // A ray that misses a polygon by its snapping comes within `border` of its edge on the bundle's
   // side, so into the box widened by it, and is there less than `raise` above the ground.
@@ -130,7 +131,8 @@ std::optional<PricedBundle> conservative(const SlicingNode& node, std::uint32_t 
 
 }  // namespace
 
-BoxView view_of_box(const Box& box, const glm::dvec3& eye_m, bool nearest) {
+BoxView view_of_box(const Box& box, const Camera& camera, Variant variant) {
+  const glm::dvec3& eye_m = camera.eye_m;
   BoxView view;
   double least_squared = kInfinity, least_sine = 1.0;
   for (int k = 0; k < 8; ++k) {
@@ -144,7 +146,8 @@ BoxView view_of_box(const Box& box, const glm::dvec3& eye_m, bool nearest) {
   if (eye_m.z >= box.low.z && eye_m.z <= box.high.z) least_sine = 0.0;
   view.cos_least = std::sqrt(1.0 - least_sine * least_sine);
   view.distance_m = std::sqrt(least_squared);
-  if (nearest) {
+  if (variant == Variant::Conservative) {
+    view.most_px = static_cast<double>(camera.width_px) * camera.height_px;
     glm::dvec3 apart;
     for (int axis = 0; axis < 3; ++axis)
       apart[axis] = std::clamp(eye_m[axis], box.low[axis], box.high[axis]) - eye_m[axis];

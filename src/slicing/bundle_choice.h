@@ -1,6 +1,7 @@
 // A box's slices, and what they and its polygons cost.
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "core/camera.h"
@@ -14,18 +15,21 @@ enum class Variant { Published, Conservative };
 
 /// What a box looks like from the eye, as the cost model wants it.
 struct BoxView {
-  double distance_m = 0.0;  // min l
-  double cos_least = 1.0;   // cosine of the least angle of sight
-  double sin_most = 0.0;    // sine of the greatest
+  double distance_m = 0.0;                                   // min l
+  double cos_least = 1.0;                                    // cosine of the least angle of sight
+  double sin_most = 0.0;                                     // sine of the greatest
+  double most_px = std::numeric_limits<double>::infinity();  // that anything covers
 };
 
 /// min l over the eight corners and the angles of sight to them, the least one being zero where the
 /// eye's height lies within the box's.
 ///
-///   (1) As the article has it, min l is no lower bound: an eye above the middle of a large box is
-///   nearer to its top face. With `nearest` it is the distance of the box itself.
+///   (1) Published: as the article has it. min l is no lower bound: an eye above the middle of a
+///   large box is nearer to its top face.
+///   (2) Conservative: min l is the distance of the box itself, and nothing covers more pixels than
+///   the image has.
 /// Source: [Röttger & Ertl 2001], section 4.
-BoxView view_of_box(const Box& box, const glm::dvec3& eye_m, bool nearest);
+BoxView view_of_box(const Box& box, const Camera& camera, Variant variant);
 
 /// x'(length, l, cosine): the pixels that a length spans.
 double projected_px(const Camera& camera, double length_m, double distance_m, double cosine);

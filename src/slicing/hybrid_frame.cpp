@@ -82,8 +82,7 @@ HybridFrame draw_frame(const SlicingTree& tree, const SlicingCut& cut, const Cam
                        const HeightLookup& heights) {
   const NodeMesh polygons = mesh_of_nodes(tree, cut.polygons);
   raster::RasterResult raster = raster::rasterise(polygons.mesh, camera);
-  SlicedImage slices =
-      slice_rays(tree, cut, relative_to(camera, tree.field().world_origin_m()), heights);
+  SlicedImage slices = slice_rays(cut, relative_to(camera, tree.field().world_origin_m()), heights);
   HybridFrame frame;
   frame.slice_fragments = slices.fragments;
   frame.polygon_fragments = raster.fragments;

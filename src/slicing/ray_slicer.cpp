@@ -17,7 +17,8 @@ struct Interval {
   bool empty() const { return !(begin <= end); }
 };
 
-// Where the ray is inside the box, widened by more than the roundings of a quotient.
+// Where the ray is inside the box, widened by more than the roundings of a difference and a
+// product.
 Interval inside(const SliceRay& ray, const Box& box, Interval all) {
   constexpr double kWider = 1e-12;
   for (int k = 0; k < 3; ++k) {
@@ -25,49 +26,45 @@ Interval inside(const SliceRay& ray, const Box& box, Interval all) {
       if (!(ray.eye_m[k] >= box.low[k] && ray.eye_m[k] <= box.high[k])) return {1.0, 0.0};
       continue;
     }
-    double a = (box.low[k] - ray.eye_m[k]) / ray.direction[k],
-           b = (box.high[k] - ray.eye_m[k]) / ray.direction[k];
-    if (a > b) std::swap(a, b);
-    all.begin = std::max(all.begin, a - kWider * std::abs(a));
-    all.end = std::min(all.end, b + kWider * std::abs(b));
+    const double a = (box.low[k] - ray.eye_m[k]) * ray.inverse[k],
+                 b = (box.high[k] - ray.eye_m[k]) * ray.inverse[k];
+    const double first = std::min(a, b), last = std::max(a, b);
+    all.begin = std::max(all.begin, first - kWider * std::abs(first));
+    all.end = std::min(all.end, last + kWider * std::abs(last));
   }
   return all;
 }
 
 class RaySlicer {
  public:
-  RaySlicer(const SlicingTree& tree, const SlicingCut& cut, const HeightLookup& heights,
-            double near_m, double far_m)
-      : tree_(tree), cut_(cut), heights_(heights), all_{near_m, far_m} {}
+  RaySlicer(const SlicingCut& cut, const HeightLookup& heights, double near_m, double far_m)
+      : cut_(cut), heights_(heights), all_{near_m, far_m} {}
 
   SliceHit cast(const SliceRay& ray, std::int64_t& tested) const {
     SliceHit best;
-    visit(0, ray, best, tested);
+    if (cut_.branches.empty()) return best;
+    // A ray that runs west meets the eastern children first, one that runs south the northern ones.
+    const std::size_t east = ray.direction.x < 0.0 ? 1 : 0, north = ray.direction.y < 0.0 ? 2 : 0;
+    std::array<std::uint32_t, 3 * 16 + 1> stack;
+    std::size_t count = 0;
+    stack[count++] = static_cast<std::uint32_t>(cut_.branches.size()) - 1;
+    while (count > 0) {
+      const SliceBranch& branch = cut_.branches[stack[--count]];
+      const Interval part = inside(ray, branch.reach, all_);
+      if (part.empty() || part.begin > best.t) continue;
+      if (branch.bundle != kNoPrimitive) {
+        meet_bundle(branch.bundle, ray, part, best, tested);
+        continue;
+      }
+      for (std::size_t k = 4; k-- > 0;) {
+        const std::uint32_t below = branch.below[k ^ east ^ north];
+        if (below != kNoPrimitive) stack[count++] = below;
+      }
+    }
     return best;
   }
 
  private:
-  void visit(std::uint32_t index, const SliceRay& ray, SliceHit& best, std::int64_t& tested) const {
-    const NodeUse use = cut_.use[index];
-    if (use != NodeUse::Inner && use != NodeUse::Bundle) return;
-    const Interval part = inside(ray, cut_.reach[index], all_);
-    if (part.empty() || part.begin > best.t) return;
-    if (use == NodeUse::Bundle) {
-      meet_bundle(cut_.bundle_of[index], ray, part, best, tested);
-      return;
-    }
-    std::array<std::uint32_t, 4> order = tree_.children(index);
-    if (ray.direction.x < 0.0) {
-      std::swap(order[0], order[1]);
-      std::swap(order[2], order[3]);
-    }
-    if (ray.direction.y < 0.0) {
-      std::swap(order[0], order[2]);
-      std::swap(order[1], order[3]);
-    }
-    for (const std::uint32_t child : order) visit(child, ray, best, tested);
-  }
-
   void meet_bundle(std::uint32_t number, const SliceRay& ray, const Interval& part, SliceHit& best,
                    std::int64_t& tested) const {
     const SliceBundle& bundle = cut_.bundles[number];
@@ -115,7 +112,6 @@ class RaySlicer {
     return true;
   }
 
-  const SlicingTree& tree_;
   const SlicingCut& cut_;
   const HeightLookup& heights_;
   Interval all_;  // near and far
@@ -123,17 +119,16 @@ class RaySlicer {
 
 }  // namespace
 
-SlicedImage slice_rays(const SlicingTree& tree, const SlicingCut& cut, const Camera& camera,
-                       const HeightLookup& heights) {
+SlicedImage slice_rays(const SlicingCut& cut, const Camera& camera, const HeightLookup& heights) {
   SlicedImage result;
   result.image = HitImage(camera.width_px, camera.height_px);
   result.image.overdraw.assign(result.image.size(), 0);
-  const RaySlicer slicer(tree, cut, heights, camera.near_m, camera.far_m);
+  const RaySlicer slicer(cut, heights, camera.near_m, camera.far_m);
   std::vector<std::int64_t> tested(static_cast<std::size_t>(camera.height_px), 0);
   parallel_for(camera.height_px, 4, [&](std::int64_t row) {
     const int y = static_cast<int>(row);
     for (int x = 0; x < camera.width_px; ++x) {
-      const SliceRay ray{camera.eye_m, ray_direction(camera, x + 0.5, y + 0.5)};
+      const SliceRay ray(camera.eye_m, ray_direction(camera, x + 0.5, y + 0.5));
       std::int64_t met = 0;
       const SliceHit hit = slicer.cast(ray, met);
       tested[static_cast<std::size_t>(row)] += met;

@@ -15,6 +15,10 @@ namespace plumb::slicing {
 struct SliceRay {
   glm::dvec3 eye_m;      // relative to the terrain's origin
   glm::dvec3 direction;  // of view depth one
+  glm::dvec3 inverse;    // of each coordinate of the direction; infinite where that is zero
+
+  SliceRay(const glm::dvec3& eye, const glm::dvec3& way)
+      : eye_m(eye), direction(way), inverse(1.0 / way) {}
 };
 
 /// A fragment of a slice.
@@ -37,7 +41,7 @@ struct PlanePoint {
 inline PlanePoint meet_plane(const SliceRay& ray, Axis axis, double at_m) {
   const int n = index_of(axis);
   PlanePoint met;
-  met.t = (at_m - ray.eye_m[n]) / ray.direction[n];
+  met.t = (at_m - ray.eye_m[n]) * ray.inverse[n];
   met.point_m = ray.eye_m + met.t * ray.direction;
   met.point_m[n] = at_m;
   return met;
@@ -75,7 +79,6 @@ struct SlicedImage {
 ///   a bundle, bundle by bundle until none could be nearer; `fragments` is their sum.
 ///   (3) Same bits on any number of threads.
 /// camera  relative to the terrain's origin
-SlicedImage slice_rays(const SlicingTree& tree, const SlicingCut& cut, const Camera& camera,
-                       const HeightLookup& heights);
+SlicedImage slice_rays(const SlicingCut& cut, const Camera& camera, const HeightLookup& heights);
 
 }  // namespace plumb::slicing

@@ -50,7 +50,7 @@ SlicedImage rasterise_slices(const SlicingCut& cut, const Camera& camera,
   const SliceMesh slices = mesh_of_slices(cut);
   const auto keep = [&](raster::Fragment& fragment) {
     const SliceQuad& quad = slices.quads[fragment.primitive / 2];
-    const SliceRay ray{camera.eye_m, ray_direction(camera, fragment.x + 0.5, fragment.y + 0.5)};
+    const SliceRay ray(camera.eye_m, ray_direction(camera, fragment.x + 0.5, fragment.y + 0.5));
     const PlanePoint met = meet_plane(ray, quad.axis, quad.at_m);
     if (!(met.t >= camera.near_m && met.t <= camera.far_m)) return false;
     fragment.depth_m = met.t;

@@ -35,8 +35,6 @@ class Descent {
   Descent(const SlicingTree& tree, const Camera& camera, const CutOptions& options, Choice choice)
       : tree_(tree), camera_(camera), options_(options), choice_(choice) {
     cut_.use.assign(tree.count(), NodeUse::Nothing);
-    cut_.reach.assign(tree.count(), Box{});
-    cut_.bundle_of.assign(tree.count(), 0);
   }
 
   SlicingCut run() {
@@ -69,7 +67,7 @@ class Descent {
       stop.slices = price_bundle(node, index, camera_, options_.variant, options_.tolerance_px,
                                  options_.profile);
     }
-    BoxView view = view_of_box(node.box, camera_.eye_m, options_.variant == Variant::Conservative);
+    BoxView view = view_of_box(node.box, camera_, options_.variant);
     view.distance_m = std::max(view.distance_m, camera_.near_m);  // nothing is seen nearer
     stop.polygons_s = cost_of_polygons_s(node, view, camera_, options_.profile);
     return stop;
@@ -80,23 +78,32 @@ class Descent {
     return node.empty() || !may_be_in_view(camera_, node.box);
   }
 
-  void visit(std::uint32_t index) {
+  // Returns the branch of the slices below; kNoPrimitive if there are none.
+  std::uint32_t visit(std::uint32_t index) {
     ++cut_.nodes_visited;
-    if (is_nothing(index)) return;
+    if (is_nothing(index)) return kNoPrimitive;
     const Stop stop = stop_at(index);
-    if (!tree_.is_leaf(index) && descends(index, stop)) {
-      cut_.use[index] = NodeUse::Inner;
-      for (const std::uint32_t child : front_to_back(index)) {
-        visit(child);
-        cut_.reach[index].add(cut_.reach[child]);
-      }
-      return;
-    }
+    if (!tree_.is_leaf(index) && descends(index, stop)) return descend(index);
     if (stop.as_polygons(options_.hybrid)) {
-      use_polygons(index, stop);
-    } else {
-      use_bundle(index, *stop.slices);
+      cut_.use[index] = NodeUse::Polygons;
+      cut_.polygons.push_back(index);
+      cut_.cost_s += stop.polygons_s;
+      return kNoPrimitive;
     }
+    return use_bundle(index, *stop.slices);
+  }
+
+  std::uint32_t descend(std::uint32_t index) {
+    cut_.use[index] = NodeUse::Inner;
+    const std::array<std::uint32_t, 4> children = tree_.children(index);
+    SliceBranch branch;
+    for (const std::size_t k : front_to_back(index)) {
+      branch.below[k] = visit(children[k]);
+      if (branch.below[k] != kNoPrimitive) branch.reach.add(cut_.branches[branch.below[k]].reach);
+    }
+    if (branch.reach.empty()) return kNoPrimitive;
+    cut_.branches.push_back(branch);
+    return static_cast<std::uint32_t>(cut_.branches.size()) - 1;
   }
 
   bool descends(std::uint32_t index, const Stop& stop) const {
@@ -126,36 +133,26 @@ class Descent {
     least_s_[index] = std::min(own_s, children_s);
   }
 
-  // By the side of the middle on which the eye is: along x first, then along y.
-  std::array<std::uint32_t, 4> front_to_back(std::uint32_t index) const {
-    std::array<std::uint32_t, 4> order = tree_.children(index);
-    const SlicingNode& south_west = tree_.node(order[0]);
+  // The children's places, by the side of the middle on which the eye is: along x first, then along
+  // y.
+  std::array<std::size_t, 4> front_to_back(std::uint32_t index) const {
+    const SlicingNode& south_west = tree_.node(tree_.children(index)[0]);
     const terrain::Heightfield& field = tree_.field();
-    if (camera_.eye_m.x > south_west.i1 * field.dx_m) {
-      std::swap(order[0], order[1]);
-      std::swap(order[2], order[3]);
-    }
-    if (camera_.eye_m.y > south_west.j1 * field.dy_m) {
-      std::swap(order[0], order[2]);
-      std::swap(order[1], order[3]);
-    }
-    return order;
+    const std::size_t east = camera_.eye_m.x > south_west.i1 * field.dx_m ? 1 : 0;
+    const std::size_t north = camera_.eye_m.y > south_west.j1 * field.dy_m ? 2 : 0;
+    return {0 ^ east ^ north, 1 ^ east ^ north, 2 ^ east ^ north, 3 ^ east ^ north};
   }
 
-  void use_polygons(std::uint32_t index, const Stop& stop) {
-    cut_.use[index] = NodeUse::Polygons;
-    cut_.reach[index] = tree_.node(index).box;
-    cut_.polygons.push_back(index);
-    cut_.cost_s += stop.polygons_s;
-  }
-
-  void use_bundle(std::uint32_t index, const PricedBundle& priced) {
+  std::uint32_t use_bundle(std::uint32_t index, const PricedBundle& priced) {
     cut_.use[index] = NodeUse::Bundle;
-    cut_.reach[index] = priced.bundle.reach;
-    cut_.bundle_of[index] = static_cast<std::uint32_t>(cut_.bundles.size());
+    SliceBranch branch;
+    branch.reach = priced.bundle.reach;
+    branch.bundle = static_cast<std::uint32_t>(cut_.bundles.size());
+    cut_.branches.push_back(branch);
     cut_.bundles.push_back(priced.bundle);
     cut_.slices += priced.bundle.count + (priced.bundle.closed ? 5 : 0);
     cut_.cost_s += priced.cost_s;
+    return static_cast<std::uint32_t>(cut_.branches.size()) - 1;
   }
 
   const SlicingTree& tree_;

@@ -1,10 +1,12 @@
 // Which nodes of the tree are drawn, and as what, for one camera.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "core/camera.h"
+#include "core/triangle_mesh.h"
 #include "slicing/bundle_choice.h"
 #include "slicing/cost_profile.h"
 #include "slicing/slice_bundle.h"
@@ -22,14 +24,21 @@ struct CutOptions {
 
 enum class NodeUse : std::uint8_t { Nothing, Inner, Bundle, Polygons };
 
+/// What a ray walks: nodes of the tree below which slices lie, each after those above it.
+struct SliceBranch {
+  Box reach;                            // of all slices in it
+  std::uint32_t bundle = kNoPrimitive;  // of a leaf of the walk
+  std::array<std::uint32_t, 4> below{kNoPrimitive, kNoPrimitive, kNoPrimitive,
+                                     kNoPrimitive};  // SW, SE, NW, NE; kNoPrimitive: no slices
+};
+
 /// A cut through the tree: every path from the root ends in one used node, or in nothing to see.
 struct SlicingCut {
-  std::vector<NodeUse> use;              // a node each
-  std::vector<Box> reach;                // what is drawn below a node lies in it; a node each
-  std::vector<std::uint32_t> bundle_of;  // of a node, where `use` says Bundle
-  std::vector<SliceBundle> bundles;      // front to back
-  std::vector<std::uint32_t> polygons;   // nodes, front to back
-  std::int64_t slices = 0;               // planes of all bundles, closing quads included
+  std::vector<NodeUse> use;             // a node each
+  std::vector<SliceBundle> bundles;     // front to back
+  std::vector<std::uint32_t> polygons;  // nodes, front to back
+  std::vector<SliceBranch> branches;    // the root is the last; empty without slices
+  std::int64_t slices = 0;              // planes of all bundles, closing quads included
   std::int64_t nodes_visited = 0;
   double cost_s = 0.0;  // as the model predicts it
 };

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -56,11 +57,11 @@ TEST(RaySlicer, SeesWhatALoopOverEveryPlaneSees) {
     const SlicingCut cut = cut_tree(tree, camera, options);
     const HeightLookup heights(field, Diagonal::Alternating,
                                static_cast<Interpolation>(random.integer(0, 2)));
-    const SlicedImage sliced = slice_rays(tree, cut, camera, heights);
+    const SlicedImage sliced = slice_rays(cut, camera, heights);
     std::int64_t fragments = 0;
     for (int y = 0; y < camera.height_px; ++y) {
       for (int x = 0; x < camera.width_px; ++x) {
-        const SliceRay ray{camera.eye_m, ray_direction(camera, x + 0.5, y + 0.5)};
+        const SliceRay ray(camera.eye_m, ray_direction(camera, x + 0.5, y + 0.5));
         const SliceHit expected = by_trying_all(cut, heights, ray, camera.near_m);
         const std::size_t pixel = sliced.image.index(x, y);
         ASSERT_EQ(sliced.image.depth_m[pixel], expected.t) << round << ": " << x << ", " << y;
@@ -72,12 +73,17 @@ TEST(RaySlicer, SeesWhatALoopOverEveryPlaneSees) {
     EXPECT_EQ(sliced.fragments, fragments);
     for (const int threads : {1, 7}) {
       const ThreadLimit limit(threads);
-      const SlicedImage again = slice_rays(tree, cut, camera, heights);
+      const SlicedImage again = slice_rays(cut, camera, heights);
       EXPECT_EQ(again.image.depth_m, sliced.image.depth_m);
       EXPECT_EQ(again.image.overdraw, sliced.image.overdraw);
     }
   }
   EXPECT_GT(hits, 20'000);
+}
+
+const SliceBundle& bundle_of(const SlicingCut& cut, std::uint32_t node) {
+  return *std::find_if(cut.bundles.begin(), cut.bundles.end(),
+                       [&](const SliceBundle& bundle) { return bundle.node == node; });
 }
 
 // The truth's hit, seen from above: a ray that meets the sheet from below, or only behind what is
@@ -114,7 +120,7 @@ TEST(HybridFrame, KeepsItsPromiseWhereItDraws) {
       if (!frame.image.hit(pixel) || cut.use[node] != NodeUse::Bundle) continue;
       const glm::dvec3 point = local.eye_m + frame.image.from_eye_m[pixel];
       const double above = heights.height_m(point.x, point.y) - point.z;
-      const double raise_m = cut.bundles[cut.bundle_of[node]].closing_raise_m;
+      const double raise_m = bundle_of(cut, node).closing_raise_m;
       if (above > 0.0 && !enters_from_above(truth, pixel, frame.image.depth_m[pixel], field)) {
         ++set_aside;
         continue;
@@ -187,10 +193,9 @@ TEST(HybridFrame, NeedsOnePlaneForLevelGround) {
     for (const SliceBundle& bundle : cut.bundles) EXPECT_EQ(bundle.count, 1);
     for (std::size_t pixel = 0; pixel < frame.image.size(); ++pixel) {
       ASSERT_TRUE(frame.image.hit(pixel));
-      const double off_m =
-          variant == Variant::Published
-              ? 0.0
-              : cut.bundles[cut.bundle_of[frame.image.primitive[pixel]]].closing_raise_m;
+      const double off_m = variant == Variant::Published
+                               ? 0.0
+                               : bundle_of(cut, frame.image.primitive[pixel]).closing_raise_m;
       ASSERT_NEAR(camera.eye_m.z + frame.image.from_eye_m[pixel].z, 5.0, off_m + 1e-9);
     }
   }

@@ -52,7 +52,7 @@ TEST(SliceRaster, SeesWhatRaysSeeAwayFromTheQuadsEdges) {
         relative_to(test_support::random_view(random, field), field.world_origin_m());
     const SlicingCut cut = cut_tree(tree, camera, test_support::random_cut_options(random));
     const HeightLookup heights(field, Diagonal::Alternating);
-    const HitImage rays = slice_rays(tree, cut, camera, heights).image;
+    const HitImage rays = slice_rays(cut, camera, heights).image;
     const HitImage quads = rasterise_slices(cut, camera, heights).image;
     const SliceMesh slices = mesh_of_slices(cut);
     EXPECT_EQ(static_cast<std::int64_t>(slices.quads.size()), cut.slices);

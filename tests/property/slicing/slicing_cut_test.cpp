@@ -63,7 +63,7 @@ double least_of_all(const SlicingTree& tree, std::uint32_t index, const Camera& 
     inside = inside && p.z > camera.near_m && px.x >= 0.0 && px.y >= 0.0 &&
              px.x <= camera.width_px && px.y <= camera.height_px;
   }
-  BoxView view = view_of_box(node.box, camera.eye_m, options.variant == Variant::Conservative);
+  BoxView view = view_of_box(node.box, camera, options.variant);
   view.distance_m = std::max(view.distance_m, camera.near_m);
   const double polygons_s = cost_of_polygons_s(node, view, camera, options.profile);
   const auto slices = inside ? price_bundle(node, index, camera, options.variant,

@@ -37,7 +37,7 @@ Camera looking_at(const SlicingNode& node, const glm::dvec3& eye_m) {
 TEST(BundleChoice, SlicesVerticallyWhereTheViewIsLevel) {
   const SlicingNode node = box_node();
   const glm::dvec3 eye(-400, 40, 0);
-  const BoxView view = view_of_box(node.box, eye, false);
+  const BoxView view = view_of_box(node.box, looking_at(node, eye), Variant::Published);
   EXPECT_DOUBLE_EQ(view.distance_m, std::sqrt(400.0 * 400 + 40 * 40));
   EXPECT_EQ(view.cos_least, 1.0);  // the eye's height is the box's lowest
   EXPECT_DOUBLE_EQ(view.sin_most, 30.0 / std::sqrt(400.0 * 400 + 40 * 40 + 30 * 30));
@@ -66,11 +66,12 @@ TEST(BundleChoice, SlicesVerticallyWhereTheViewIsLevel) {
 TEST(BundleChoice, SlicesLevelFromAbove) {
   const SlicingNode node = box_node();
   const glm::dvec3 eye(40, 40, 500);
-  const BoxView view = view_of_box(node.box, eye, false);
+  const BoxView view = view_of_box(node.box, looking_at(node, eye), Variant::Published);
   EXPECT_DOUBLE_EQ(view.distance_m, std::sqrt(470.0 * 470 + 2 * 40 * 40));
   const double least_sine = 470.0 / view.distance_m;
   EXPECT_DOUBLE_EQ(view.cos_least, std::sqrt(1.0 - least_sine * least_sine));
-  EXPECT_EQ(view_of_box(node.box, eye, true).distance_m, 470.0);  // of the box itself
+  EXPECT_EQ(view_of_box(node.box, looking_at(node, eye), Variant::Conservative).distance_m,
+            470.0);  // of the box itself
   const auto priced =
       price_bundle(node, 0, looking_at(node, eye), Variant::Published, 1.0, CostProfile{});
   ASSERT_TRUE(priced);
