@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "audit/grid_crossings.h"
 #include "core/parallel.h"
 #include "core/screen_error.h"
 
@@ -82,7 +83,7 @@ class SecondLook {
       if (at_large) return DefectKind::Hole;
       const bool sky = any_ray_around(x, y, true_hits_.from_eye_m[pixel],
                                       [](const reference::RayHit& ray) { return !ray; });
-      return sky ? DefectKind::None : DefectKind::Hole;
+      return sky || may_pass(pixel, beyond(pixel)) ? DefectKind::None : DefectKind::Hole;
     }
     if (n.all_miss() && hit) {
       if (at_large) return DefectKind::Overshoot;
@@ -101,9 +102,58 @@ class SecondLook {
     const double depth = drawn_.depth_m[pixel];
     if (depth <= n.deepest * (1.0 + kSameDepth)) return false;
     if (counterpart_is_visible(local_.eye_m + drawn_.from_eye_m[pixel])) return false;
+    if (may_pass(pixel, local_.eye_m + drawn_.from_eye_m[pixel])) return false;
     return !any_ray_around(x, y, true_hits_.from_eye_m[pixel], [&](const reference::RayHit& ray) {
       return !ray || ray.t >= depth * (1.0 - kNearlySameDepth);
     });
+  }
+
+  // True if a surface that keeps to the band may let the pixel's ray pass, where the truth does
+  // not. Lowered, it lets the ray run on to `end`, or through a void or beyond the terrain. Raised,
+  // it lets it slip below its rim, where it came over a void or from outside.
+  bool may_pass(std::size_t pixel, const glm::dvec3& end) const {
+    const glm::dvec3 met = local_.eye_m + true_hits_.from_eye_m[pixel];
+    return follow(met, end, Side::Below) != Way::Blocked ||
+           follow(met, local_.eye_m, Side::Above) == Way::Open;
+  }
+
+  enum class Way { Unknown, Open, Blocked };
+  enum class Side { Below, Above };
+
+  // Along a line to the first place without surface, which is Open, or the first that is farther
+  // from the truth on one side than the band, Blocked. Distance from triangles is linear between
+  // their edges.
+  Way follow(const glm::dvec3& from, const glm::dvec3& to, Side side) const {
+    Way way = Way::Unknown;
+    glm::dvec3 before = from;
+    GridCrossings(truth_.field(), truth_.diagonal()).between(from, to, [&](const glm::dvec3& at) {
+      if (way != Way::Unknown) return;
+      const glm::dvec3 middle = 0.5 * (before + at);
+      before = at;
+      if (std::isnan(truth_.height_at(middle.x, middle.y))) {
+        way = Way::Open;
+      } else if (is_beyond_band(at, side)) {
+        way = Way::Blocked;
+      }
+    });
+    return way;
+  }
+
+  bool is_beyond_band(const glm::dvec3& point, Side side) const {
+    const double height = truth_.height_at(point.x, point.y);
+    const double off = side == Side::Below ? height - point.z : point.z - height;
+    if (!(off > truth_.slack_m) || off <= band_.metres) return false;
+    return screen_displacement_px(local_, {point.x, point.y, height}, kUp, point.z - height) >
+           band_.pixels * (1.0 + kSameDepth);
+  }
+
+  // A point of the pixel's ray beyond the terrain.
+  glm::dvec3 beyond(std::size_t pixel) const {
+    const terrain::Heightfield& field = truth_.field();
+    const glm::dvec3& ray = true_hits_.from_eye_m[pixel];
+    const double across = std::sqrt(ray.x * ray.x + ray.y * ray.y),
+                 extent = field.cell_columns() * field.dx_m + field.cell_rows() * field.dy_m;
+    return local_.eye_m + ray * (across > 0.0 ? 1.0 + extent / across : 1.0);
   }
 
   // Casts truth rays around a pixel, as far as the surface may have moved there, until one is as

@@ -61,9 +61,9 @@ struct Band {
 ///       that terrain or sky narrower than a pixel is not held against the picture; and, where the
 ///       surface may stray by metres, as far around as `band.metres` reach on screen at that
 ///       point's depth.
-///   (3) See-through: the point drawn lies behind all truth within the band, and the truth above or
-///   below that point is
-///       itself hidden. A surface that is merely displaced is the pixel error's matter.
+///   (3) See-through: the point drawn lies behind all truth within the band, the truth above or
+///   below that point is itself hidden, and on its way there the pixel's ray runs deeper below the
+///   truth than the band. A surface that is merely displaced is the pixel error's matter.
 /// surface  names patches; its mesh's triangles are `drawn.primitive`
 Coverage coverage_of(const HeightfieldTruth& truth, const HitImage& true_hits,
                      const HitImage& drawn, const Camera& camera, const DrawnSurface& surface,

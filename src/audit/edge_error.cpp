@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <vector>
 
+#include "audit/grid_crossings.h"
 #include "audit/sample_error.h"
 #include "core/parallel.h"
 #include "core/screen_error.h"
@@ -12,7 +12,6 @@ namespace plumb::audit {
 namespace {
 
 constexpr glm::dvec3 kUp{0.0, 0.0, 1.0};
-constexpr double kOnLine = 1e-9;  // cells
 
 // Whole but for less than kOnLine; without a call for the rounding, which loops over edges feel.
 bool is_whole(double u) {
@@ -25,7 +24,10 @@ bool on_sample(double u, double v) { return is_whole(u) && is_whole(v); }
 class EdgeWalk {
  public:
   EdgeWalk(const HeightfieldTruth& truth, const Camera& local)
-      : truth_(truth), camera_(local), up_(direction_to_view(local, kUp)) {}
+      : truth_(truth),
+        camera_(local),
+        up_(direction_to_view(local, kUp)),
+        crossings_(truth.field(), truth.diagonal()) {}
 
   // The inside of the edge from p to q.
   void edge(const glm::dvec3& p, const glm::dvec3& q, std::uint32_t triangle, EdgeErrors& errors) {
@@ -39,26 +41,7 @@ class EdgeWalk {
       if (std::abs(du) > 0.5 && std::abs(dv) > 0.5) look(0.5 * (p + q), triangle, errors);
       return;
     }
-    find_shares(pu, du, pv, dv);
-    const std::size_t count = shares_.size();
-    for (std::size_t k = 0; k + 1 < count; ++k) {
-      const double from = shares_[k], to = shares_[k + 1];
-      if (k > 0) look(p + from * (q - p), triangle, errors);
-      const double middle = 0.5 * (from + to);
-      const int i = static_cast<int>(std::floor(pu + middle * du)),
-                j = static_cast<int>(std::floor(pv + middle * dv));
-      // On the cell's diagonal (u - i) -+ (v - j) is 0 or 1; both ends on it means that the edge
-      // runs along it.
-      const bool rises = rises_north_east(truth_.diagonal(), i, j);
-      const auto side = [&](double share) {
-        const double a = pu + share * du - i, b = pv + share * dv - j;
-        return rises ? a - b : 1.0 - (a + b);
-      };
-      const double one = side(from), other = side(to);
-      if ((one > kOnLine && other < -kOnLine) || (one < -kOnLine && other > kOnLine)) {
-        look(p + (from + (to - from) * (one / (one - other))) * (q - p), triangle, errors);
-      }
-    }
+    crossings_.between(p, q, [&](const glm::dvec3& at) { look(at, triangle, errors); });
   }
 
   // A vertex, unless it is a sample, which is measured as such.
@@ -68,25 +51,6 @@ class EdgeWalk {
   }
 
  private:
-  // The shares of the way at which the edge crosses the grid's lines, from 0 to 1.
-  void find_shares(double pu, double du, double pv, double dv) {
-    add_lines(pu, du, along_u_);
-    add_lines(pv, dv, along_v_);
-    shares_.assign(along_u_.size() + along_v_.size() + 2, 0.0);
-    std::merge(along_u_.begin(), along_u_.end(), along_v_.begin(), along_v_.end(),
-               shares_.begin() + 1);
-    shares_.back() = 1.0;
-  }
-
-  static void add_lines(double from, double step, std::vector<double>& shares) {
-    shares.clear();
-    if (std::abs(step) < kOnLine) return;
-    const double low = std::min(from, from + step), high = std::max(from, from + step);
-    for (double line = std::floor(low) + 1.0; line < high; line += 1.0)
-      shares.push_back((line - from) / step);
-    if (step < 0.0) std::reverse(shares.begin(), shares.end());
-  }
-
   void look(const glm::dvec3& drawn, std::uint32_t triangle, EdgeErrors& errors) const {
     const double height = truth_.height_at(drawn.x, drawn.y);
     if (std::isnan(height)) return;
@@ -122,8 +86,8 @@ class EdgeWalk {
 
   const HeightfieldTruth& truth_;
   const Camera& camera_;
-  glm::dvec3 up_;                                   // in view coordinates
-  std::vector<double> along_u_, along_v_, shares_;  // of the way from p to q
+  glm::dvec3 up_;  // in view coordinates
+  GridCrossings crossings_;
 };
 
 EdgeErrors worse(EdgeErrors a, const EdgeErrors& b) {

@@ -6,7 +6,9 @@
 #include <limits>
 
 #include "audit/audit.h"
+#include "audit/method.h"
 #include "mesh/full/full_detail.h"
+#include "support/test_terrain.h"
 
 namespace plumb::audit {
 namespace {
@@ -185,6 +187,33 @@ TEST(Distribution, TakesNearestRanksAndLeavesNaNOut) {
   EXPECT_EQ(distribution_of(values).infinite, 1);
   EXPECT_EQ(distribution_of(values).max_finite, 1000.0);
   EXPECT_EQ(distribution_of({}).count, 0);
+}
+
+// A rim that is drawn lower than it is, within the tolerance, may let the eye through a void behind
+// it: that is no crack. Judged by a narrower band the same pixels are some.
+TEST(Coverage, ExplainsWhatIsSeenThroughAVoidPastARimThatKeepsToItsTolerance) {
+  const Method& method = find_method(built_in_methods(), "restricted-quadtree");
+  const Tolerance tolerance{3.0, Unit::Pixel};
+  std::int64_t by_a_narrow_band = 0;
+  for (std::uint32_t seed = 1; seed <= 12; ++seed) {
+    const terrain::Heightfield field =
+        test_support::rough_terrain(257, 257, seed, 150.0, 0.04, 10.0, 10.0);
+    const auto prepared = prepare_method(method, field, {}, tolerance);
+    const Camera camera = make_camera({.eye_m = {-300, 900, 260},
+                                       .target_m = {1400, 1300, 40},
+                                       .fov_y_deg = 35.0,
+                                       .width_px = 480,
+                                       .height_px = 270});
+    const DrawnSurface surface = prepared->draw(camera, tolerance);
+    const HeightfieldTruth truth(field, method.truth);
+    AuditOptions options;
+    options.nearest = false;
+    options.band.pixels = tolerance.value;
+    EXPECT_TRUE(audit_surface(truth, surface, camera, options).holds()) << seed;
+    options.band.pixels = 0.01;
+    by_a_narrow_band += audit_surface(truth, surface, camera, options).coverage.see_through;
+  }
+  EXPECT_GT(by_a_narrow_band, 0);
 }
 
 }  // namespace
