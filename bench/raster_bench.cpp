@@ -29,8 +29,8 @@ void our_frame(benchmark::State& state, const char* preset, InstructionSet set, 
   const Camera camera = bench_camera(preset);
   const ForcedInstructionSet forced(set);
   std::int64_t fragments = 0;
-  const raster::RasterOptions options{.runs = culling == Culling::Runs ? full_surface().usable_runs()
-                                                                       : nullptr};
+  const raster::RasterOptions options{
+      .runs = culling == Culling::Runs ? full_surface().usable_runs() : nullptr};
   measure(state, [&] { fragments = raster::rasterise(full_mesh(), camera, options).fragments; });
   set_rate(state, "Mtriangles/s", static_cast<double>(full_mesh().triangles.size()));
   state.counters["fragments"] = static_cast<double>(fragments);
