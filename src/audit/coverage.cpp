@@ -6,6 +6,7 @@
 #include <map>
 
 #include "audit/grid_crossings.h"
+#include "audit/neighbourhood.h"
 #include "core/parallel.h"
 #include "core/screen_error.h"
 
@@ -18,45 +19,6 @@ constexpr int kMostReach = 64;    // pixels
 constexpr glm::dvec3 kUp{0.0, 0.0, 1.0};
 constexpr double kSameDepth = 1e-6;        // relative; two casts of one point
 constexpr double kNearlySameDepth = 1e-3;  // relative; neighbouring rays of one slope
-
-// What the truth shows within the band around a pixel: its least and greatest depth, kNoHit for
-// sky.
-struct Neighbourhood {
-  double nearest, deepest;
-  bool all_hit() const { return deepest < kNoHit; }
-  bool all_miss() const { return nearest == kNoHit; }
-};
-
-Neighbourhood join(Neighbourhood a, Neighbourhood b) {
-  return {std::min(a.nearest, b.nearest), std::max(a.deepest, b.deepest)};
-}
-
-// Along rows first, then along columns: 2 (2 radius + 1) looks a pixel.
-std::vector<Neighbourhood> neighbourhoods(const HitImage& image, int radius) {
-  std::vector<Neighbourhood> along_rows(image.size()), all(image.size());
-  parallel_for(image.height_px, 8, [&](std::int64_t row) {
-    const int y = static_cast<int>(row);
-    for (int x = 0; x < image.width_px; ++x) {
-      Neighbourhood n{kNoHit, 0.0};
-      for (int a = std::max(0, x - radius); a <= std::min(image.width_px - 1, x + radius); ++a) {
-        const double depth = image.depth_m[image.index(a, y)];
-        n = join(n, {depth, depth});
-      }
-      along_rows[image.index(x, y)] = n;
-    }
-  });
-  parallel_for(image.height_px, 8, [&](std::int64_t row) {
-    const int y = static_cast<int>(row);
-    for (int x = 0; x < image.width_px; ++x) {
-      Neighbourhood n{kNoHit, 0.0};
-      for (int b = std::max(0, y - radius); b <= std::min(image.height_px - 1, y + radius); ++b) {
-        n = join(n, along_rows[image.index(x, b)]);
-      }
-      all[image.index(x, y)] = n;
-    }
-  });
-  return all;
-}
 
 // Looks again, between the pixels, at what the pixels' centres hold against a picture.
 class SecondLook {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "audit/band_lists.h"
 #include "audit/row_bins.h"
 #include "audit/surface_deviation.h"
 #include "core/parallel.h"
@@ -38,40 +39,6 @@ struct BucketGrid {
   }
   int row_of(double y) const {
     return static_cast<int>(std::clamp(y * rows_per_m, 0.0, rows - 1.0));
-  }
-};
-
-// Places sorted by the row of their bucket; those of a row in the order they came.
-struct PlaceRows {
-  std::vector<std::size_t> start;     // of each row; one more at the end
-  std::vector<std::uint32_t> places;  // indices
-
-  PlaceRows(const BucketGrid& grid, const std::vector<glm::dvec3>& at)
-      : start(static_cast<std::size_t>(grid.rows) + 1), places(at.size()) {
-    // Pieces count for themselves, then each knows where in a row its own begin.
-    constexpr std::size_t kPiece = 1 << 16;
-    const std::size_t pieces = (at.size() + kPiece - 1) / kPiece;
-    std::vector<std::vector<std::size_t>> counts(pieces);
-    const auto for_piece = [&](std::int64_t piece, const auto& visit) {
-      const std::size_t begin = static_cast<std::size_t>(piece) * kPiece;
-      for (std::size_t k = begin; k < std::min(begin + kPiece, at.size()); ++k)
-        visit(static_cast<std::size_t>(grid.row_of(at[k].y)), static_cast<std::uint32_t>(k));
-    };
-    parallel_for(static_cast<std::int64_t>(pieces), 1, [&](std::int64_t piece) {
-      auto& own = counts[static_cast<std::size_t>(piece)];
-      own.assign(static_cast<std::size_t>(grid.rows), 0);
-      for_piece(piece, [&](std::size_t row, std::uint32_t) { ++own[row]; });
-    });
-    std::size_t next = 0;
-    for (std::size_t row = 0; row + 1 < start.size(); ++row) {
-      start[row] = next;
-      for (auto& own : counts) next += std::exchange(own[row], next);
-    }
-    start.back() = next;
-    parallel_for(static_cast<std::int64_t>(pieces), 1, [&](std::int64_t piece) {
-      auto& own = counts[static_cast<std::size_t>(piece)];
-      for_piece(piece, [&](std::size_t row, std::uint32_t k) { places[own[row]++] = k; });
-    });
   }
 };
 
@@ -137,13 +104,15 @@ std::vector<Deviation> deviation_at(const Heightfield& field, const TriangleMesh
   std::vector<Deviation> found(places_m.size());
   if (places_m.empty()) return found;
   const BucketGrid grid(field, places_m.size());
-  const PlaceRows rows(grid, places_m);
+  const BandLists rows(
+      places_m.size(), static_cast<std::size_t>(grid.rows),
+      [&](std::uint32_t place, const auto& visit) { visit(grid.row_of(places_m[place].y)); },
+      "the audit's index of places");
   const glm::dvec3 shift = mesh.origin_m - field.world_origin_m();
   const RowBins bins(mesh, shift.y, grid.height_m, grid.rows, kNearLine * field.dy_m);
   parallel_for(grid.rows, 1, [&](std::int64_t band) {
     const auto b = static_cast<std::size_t>(band);
-    const std::span<const std::uint32_t> own{rows.places.data() + rows.start[b],
-                                             rows.start[b + 1] - rows.start[b]};
+    const std::span<const std::uint32_t> own = rows.of(b);
     if (own.empty()) return;
     PlaceRow row(grid, own, places_m);
     for (const std::uint32_t index : bins.triangles(static_cast<int>(band)))

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "audit/band_lists.h"
 #include "core/triangle_mesh.h"
 
 namespace plumb::audit {
@@ -17,15 +17,13 @@ class RowBins {
   /// shift_y_m is added to every vertex; slack_m widens each triangle both ways.
   RowBins(const TriangleMesh& mesh, double shift_y_m, double band_m, int bands, double slack_m);
 
-  int bands() const { return static_cast<int>(start_.size()) - 1; }
+  int bands() const { return static_cast<int>(lists_.bands()); }
   std::span<const std::uint32_t> triangles(int band) const {
-    const auto b = static_cast<std::size_t>(band);
-    return {triangles_.data() + start_[b], start_[b + 1] - start_[b]};
+    return lists_.of(static_cast<std::size_t>(band));
   }
 
  private:
-  std::vector<std::size_t> start_;
-  std::vector<std::uint32_t> triangles_;
+  BandLists lists_;
 };
 
 }  // namespace plumb::audit

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "audit/neighbourhood.h"
 #include "audit/surface_deviation.h"
 #include "core/parallel.h"
 #include "core/screen_error.h"
@@ -20,25 +21,6 @@ constexpr double kHiddenByLess =
 bool inside_image(const Camera& camera, const glm::dvec2& pixel) {
   return pixel.x >= 0.0 && pixel.x <= camera.width_px && pixel.y >= 0.0 &&
          pixel.y <= camera.height_px;
-}
-
-// The greatest depth that a pixel or one of the eight around it shows.
-std::vector<double> deepest_around(const HitImage& image) {
-  const auto width = static_cast<std::size_t>(image.width_px);
-  std::vector<double> deepest(image.size());
-  parallel_for(image.height_px, 16, [&](std::int64_t row) {
-    std::vector<double> column(width, 0.0);
-    for (auto y = std::max<std::int64_t>(0, row - 1);
-         y <= std::min<std::int64_t>(image.height_px - 1, row + 1); ++y) {
-      const double* depth = image.depth_m.data() + static_cast<std::size_t>(y) * width;
-      for (std::size_t x = 0; x < width; ++x) column[x] = std::max(column[x], depth[x]);
-    }
-    double* here = deepest.data() + static_cast<std::size_t>(row) * width;
-    for (std::size_t x = 0; x < width; ++x) {
-      here[x] = std::max({column[x], column[x > 0 ? x - 1 : x], column[x + 1 < width ? x + 1 : x]});
-    }
-  });
-  return deepest;
 }
 
 // What one row adds to the figures; its values go where the caller says.
@@ -64,7 +46,7 @@ class RowMeasure {
         surface_(surface),
         camera_(local),
         up_(direction_to_view(local, kUp)),
-        deepest_around_(deepest_around(true_hits)) {}
+        around_(neighbourhoods(true_hits, 1)) {}
 
   RowErrors operator()(int j, const DeviationRow& row, RowValues values) const {
     RowErrors errors;
@@ -164,15 +146,15 @@ class RowMeasure {
     // A place on the image's right or lower rim belongs to the last pixel.
     const int x = std::min(static_cast<int>(at.x_px[k]), true_hits_.width_px - 1),
               y = std::min(static_cast<int>(at.y_px[k]), true_hits_.height_px - 1);
-    return at.depth_m[k] <= deepest_around_[true_hits_.index(x, y)] * (1.0 + kHiddenByLess);
+    return at.depth_m[k] <= around_[true_hits_.index(x, y)].deepest * (1.0 + kHiddenByLess);
   }
 
   const HeightfieldTruth& truth_;
   const HitImage& true_hits_;
   const DrawnSurface& surface_;
   const Camera& camera_;
-  glm::dvec3 up_;  // in view coordinates
-  std::vector<double> deepest_around_;
+  glm::dvec3 up_;                      // in view coordinates
+  std::vector<Neighbourhood> around_;  // of the truth's pixels, and the eight next to each
 };
 
 void keep_worse(WorstSample& worst, const WorstSample& other) {

@@ -93,15 +93,20 @@ TEST(SurfaceAt, FindsGroundOnARimThatRunsAlongADiagonal) {
   }
 }
 
+// Point k of a seed, anywhere in a box of that size from `low`.
+glm::dvec3 scattered(std::uint32_t seed, int k, const glm::dvec3& size, const glm::dvec3& low) {
+  const glm::dvec3 share{test_support::noise(seed, k, 1), test_support::noise(seed, k, 2),
+                         test_support::noise(seed, k, 3)};
+  return share * size + low;
+}
+
 TEST(NearestOnHeightfield, IsThatOfTryingDenselyEverywhere) {
   for (std::uint32_t seed = 1; seed <= 5; ++seed) {
     const terrain::Heightfield field =
         test_support::rough_terrain(20, 13, seed, 60.0, 0.05, 10.0, 7.0);
     const HeightPyramid pyramid(field);
     for (int k = 0; k < 60; ++k) {
-      const glm::dvec3 point{test_support::noise(seed, k, 1) * 240 - 25,
-                             test_support::noise(seed, k, 2) * 130 - 20,
-                             test_support::noise(seed, k, 3) * 120 - 30};
+      const glm::dvec3 point = scattered(seed, k, {240, 130, 120}, {-25, -20, -30});
       const NearestPoint found =
           nearest_on_heightfield(field, Diagonal::Alternating, pyramid, point, 1e6);
       ASSERT_TRUE(found);
@@ -134,9 +139,7 @@ TEST(NearestOnHeightfield, IsTheSameInABallOfAnySize) {
         test_support::rough_terrain(40, 33, seed, 9.0, 0.05, 10.0, 7.0);
     const HeightPyramid pyramid(field);
     for (int k = 0; k < 200; ++k) {
-      const glm::dvec3 point{test_support::noise(seed, k, 1) * 400 - 5,
-                             test_support::noise(seed, k, 2) * 240 - 5,
-                             test_support::noise(seed, k, 3) * 15 - 3};
+      const glm::dvec3 point = scattered(seed, k, {400, 240, 15}, {-5, -5, -3});
       const NearestPoint anywhere =
           nearest_on_heightfield(field, Diagonal::Alternating, pyramid, point, 1e6);
       ASSERT_TRUE(anywhere);
