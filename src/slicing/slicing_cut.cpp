@@ -42,7 +42,8 @@ class Descent {
       least_s_.assign(tree_.count(), 0.0);
       find_least(0);
     }
-    visit(0);
+    ++cut_.nodes_visited;
+    if (!is_nothing(0)) visit(0, stop_at(0));
     return std::move(cut_);
   }
 
@@ -78,12 +79,23 @@ class Descent {
     return node.empty() || !may_be_in_view(camera_, node.box);
   }
 
+  using StopsBelow = std::array<std::optional<Stop>, 4>;  // nothing where nothing may be seen
+
+  StopsBelow stops_below(std::uint32_t index) const {
+    const std::array<std::uint32_t, 4> children = tree_.children(index);
+    StopsBelow stops;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (!is_nothing(children[k])) stops[k] = stop_at(children[k]);
+    }
+    return stops;
+  }
+
   // Returns the branch of the slices below; kNoPrimitive if there are none.
-  std::uint32_t visit(std::uint32_t index) {
-    ++cut_.nodes_visited;
-    if (is_nothing(index)) return kNoPrimitive;
-    const Stop stop = stop_at(index);
-    if (!tree_.is_leaf(index) && descends(index, stop)) return descend(index);
+  std::uint32_t visit(std::uint32_t index, const Stop& stop) {
+    if (!tree_.is_leaf(index)) {
+      const StopsBelow below = stops_below(index);
+      if (descends(index, stop, below)) return descend(index, below);
+    }
     if (stop.as_polygons(options_.hybrid)) {
       cut_.use[index] = NodeUse::Polygons;
       cut_.polygons.push_back(index);
@@ -93,12 +105,14 @@ class Descent {
     return use_bundle(index, *stop.slices);
   }
 
-  std::uint32_t descend(std::uint32_t index) {
+  std::uint32_t descend(std::uint32_t index, const StopsBelow& below) {
     cut_.use[index] = NodeUse::Inner;
     const std::array<std::uint32_t, 4> children = tree_.children(index);
     SliceBranch branch;
     for (const std::size_t k : front_to_back(index)) {
-      branch.below[k] = visit(children[k]);
+      ++cut_.nodes_visited;
+      if (!below[k]) continue;
+      branch.below[k] = visit(children[k], *below[k]);
       if (branch.below[k] != kNoPrimitive) branch.reach.add(cut_.branches[branch.below[k]].reach);
     }
     if (branch.reach.empty()) return kNoPrimitive;
@@ -106,12 +120,13 @@ class Descent {
     return static_cast<std::uint32_t>(cut_.branches.size()) - 1;
   }
 
-  bool descends(std::uint32_t index, const Stop& stop) const {
+  bool descends(std::uint32_t index, const Stop& stop, const StopsBelow& below) const {
     if (!stop.slices) return true;
+    const std::array<std::uint32_t, 4> children = tree_.children(index);
     double children_s = 0.0;
-    for (const std::uint32_t child : tree_.children(index)) {
-      if (is_nothing(child)) continue;
-      children_s += choice_ == Choice::Optimal ? least_s_[child] : stop_at(child).own_cost_s();
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (!below[k]) continue;
+      children_s += choice_ == Choice::Optimal ? least_s_[children[k]] : below[k]->own_cost_s();
     }
     return choice_ == Choice::Optimal ? stop.cost_s(options_.hybrid) > children_s
                                       : stop.slices->cost_s > options_.descend_factor * children_s;
