@@ -1,14 +1,15 @@
 #include "audit/audit.h"
 
-#include <cmath>
+#include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "audit/claim_check.h"
 #include "audit/nearest_error.h"
+#include "audit/set_aside.h"
+#include "audit/surface_picture.h"
 #include "core/check.h"
 #include "core/stopwatch.h"
-#include "raster/rasteriser.h"
 
 namespace plumb::audit {
 namespace {
@@ -17,21 +18,51 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 void require_consistent(const HitImage& true_hits, const DrawnSurface& surface,
                         const HitImage& drawn, const Camera& camera) {
-  require(surface.mesh != nullptr, "a drawn surface needs a mesh");
   for (const HitImage* image : {&true_hits, &drawn}) {
     require(image->width_px == camera.width_px && image->height_px == camera.height_px,
             "a picture must be {} x {} pixels as the camera says, got {} x {}", camera.width_px,
             camera.height_px, image->width_px, image->height_px);
   }
   for (std::size_t pixel = 0; pixel < drawn.size(); ++pixel) {
-    if (drawn.hit(pixel) && drawn.primitive[pixel] >= surface.mesh->triangles.size()) {
-      throw std::invalid_argument("a picture must name triangles of the surface's mesh");
+    if (drawn.hit(pixel) && drawn.primitive[pixel] >= surface.primitive_count()) {
+      throw std::invalid_argument(
+          "a picture must name triangles of the surface's mesh, or patches where it has none");
     }
   }
-  require(
-      surface.triangle_lod.empty() || surface.triangle_lod.size() == surface.mesh->triangles.size(),
-      "triangle_lod must have an entry for each of {} triangles, got {}",
-      surface.mesh->triangles.size(), surface.triangle_lod.size());
+  require(surface.triangle_lod.empty() || surface.triangle_lod.size() == surface.primitive_count(),
+          "triangle_lod must have an entry for each of {} triangles, got {}",
+          surface.primitive_count(), surface.triangle_lod.size());
+}
+
+// What only a mesh has: a height over each sample, edges, normals, and points for the truth to be
+// held against.
+void measure_mesh(AuditResult& result, const HeightfieldTruth& truth, const DrawnSurface& surface,
+                  const Camera& camera, const AuditOptions& options) {
+  const TriangleMesh& mesh = *surface.mesh;
+  result.samples = sample_errors(truth, result.true_hits, surface, camera);
+  const MeshEdges edges(mesh);
+  result.edges = edge_errors(truth, mesh, edges, camera);
+  result.reverse_pixels = reverse_vertical_errors(truth, result.true_hits, mesh, camera);
+  result.reverse_vertical = distribution_of(result.reverse_pixels.vertical_px);
+  result.normal_deg =
+      distribution_of(normal_errors_deg(truth, result.true_hits, mesh, result.drawn));
+  if (options.nearest) {
+    result.nearest.reverse = distribution_of(
+        reverse_nearest_errors(truth, result.true_hits, result.reverse_pixels, mesh, camera));
+  }
+  result.topology = topology_of(truth, surface, edges, options.most_listed);
+  result.topology.overlapped_samples = result.samples.overlapped;
+}
+
+// What any picture has; `judged` is the drawn one without what is set aside.
+void measure_picture(AuditResult& result, const HeightfieldTruth& truth, const HitImage& judged,
+                     const Camera& camera, const AuditOptions& options) {
+  result.pixels = vertical_errors(truth, judged, camera);
+  result.vertical = distribution_of(result.pixels.vertical_px);
+  result.depth = distribution_of(depth_errors(result.true_hits, judged));
+  if (!options.nearest) return;
+  result.nearest.forward_px = forward_nearest_errors(truth, judged, result.pixels, camera);
+  result.nearest.forward = distribution_of(result.nearest.forward_px);
 }
 
 }  // namespace
@@ -59,27 +90,19 @@ AuditResult audit_picture(const HeightfieldTruth& truth, HitImage true_hits,
   result.cost = surface.cost;
   result.true_hits = std::move(true_hits);
   result.drawn = std::move(drawn);
-  result.samples = sample_errors(truth, result.true_hits, surface, camera);
-  const MeshEdges edges(*surface.mesh);
-  result.edges = edge_errors(truth, *surface.mesh, edges, camera);
-  result.pixels = vertical_errors(truth, result.drawn, camera);
-  result.reverse_pixels = reverse_vertical_errors(truth, result.true_hits, *surface.mesh, camera);
-  result.vertical = distribution_of(result.pixels.vertical_px);
-  result.reverse_vertical = distribution_of(result.reverse_pixels.vertical_px);
-  result.depth = distribution_of(depth_errors(result.true_hits, result.drawn));
-  result.normal_deg =
-      distribution_of(normal_errors_deg(truth, result.true_hits, *surface.mesh, result.drawn));
-  if (options.nearest) {
-    result.nearest.forward_px = forward_nearest_errors(truth, result.drawn, result.pixels, camera);
-    result.nearest.forward = distribution_of(result.nearest.forward_px);
-    result.nearest.reverse = distribution_of(reverse_nearest_errors(
-        truth, result.true_hits, result.reverse_pixels, *surface.mesh, camera));
+  result.of_mesh = surface.mesh != nullptr;
+  if (result.of_mesh) {
+    measure_mesh(result, truth, surface, camera, options);
+    measure_picture(result, truth, result.drawn, camera, options);
+  } else {
+    result.set_aside = rays_below_ground(truth, result.true_hits, result.drawn, camera);
+    result.pixels_set_aside =
+        std::count(result.set_aside.begin(), result.set_aside.end(), std::uint8_t{1});
+    measure_picture(result, truth, without(result.drawn, result.set_aside), camera, options);
   }
-  result.coverage =
-      coverage_of(truth, result.true_hits, result.drawn, camera, surface, options.band);
-  result.registration = registration_of(*surface.mesh, result.drawn, camera);
-  result.topology = topology_of(truth, surface, edges, options.most_listed);
-  result.topology.overlapped_samples = result.samples.overlapped;
+  result.coverage = coverage_of(truth, result.true_hits, result.drawn, camera, surface,
+                                options.band, result.set_aside);
+  result.registration = registration_of(surface.mesh.get(), result.drawn, camera);
   check_claims(result, truth, surface, camera, options);
   result.times.measure_s = watch.lap_s();
   return result;
@@ -87,16 +110,14 @@ AuditResult audit_picture(const HeightfieldTruth& truth, HitImage true_hits,
 
 AuditResult audit_surface(const HeightfieldTruth& truth, const DrawnSurface& surface,
                           const Camera& camera, const AuditOptions& options) {
-  require(surface.mesh != nullptr, "a drawn surface needs a mesh");
   Stopwatch watch;
   HitImage true_hits = truth.caster.cast_frame(camera);
   const double truth_s = watch.lap_s();
-  raster::RasterResult raster =
-      raster::rasterise(*surface.mesh, camera, {.runs = surface.usable_runs()});
+  SurfacePicture picture = picture_of(surface, camera);
   const double raster_s = watch.lap_s();
-  AuditResult result =
-      audit_picture(truth, std::move(true_hits), surface, std::move(raster.image), camera, options);
-  result.cost.fragments = raster.fragments;
+  AuditResult result = audit_picture(truth, std::move(true_hits), surface, std::move(picture.image),
+                                     camera, options);
+  result.cost.fragments = picture.fragments;
   result.times.truth_s = truth_s;
   result.times.raster_s = raster_s;
   return result;

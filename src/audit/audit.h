@@ -79,6 +79,12 @@ struct AuditTimes {
 
 struct AuditResult {
   HitImage true_hits, drawn;
+  /// False for a surface without a mesh: only `pixels`, `vertical`, `depth`, `nearest.forward`,
+  /// `coverage` and where the points are seen are measured of it.
+  bool of_mesh = true;
+  /// Pixels that are not judged, 1 each (set_aside.h), and how many; empty for a mesh.
+  std::vector<std::uint8_t> set_aside;
+  std::int64_t pixels_set_aside = 0;
   SampleErrors samples;
   EdgeErrors edges;
   PixelErrors pixels;
@@ -105,13 +111,13 @@ struct AuditResult {
 ///
 /// truth    the full-detail surface; its cast_frame(camera) is `true_hits`
 /// drawn    what the surface looks like through `camera`, by whatever renderer; `primitive` indexes
-/// the surface's triangles The result has the same bits on every machine and number of threads,
-/// `times` apart.
+///          the surface's triangles (patches, where it has no mesh)
+/// The result has the same bits on every machine and number of threads, `times` apart.
 AuditResult audit_picture(const HeightfieldTruth& truth, HitImage true_hits,
                           const DrawnSurface& surface, HitImage drawn, const Camera& camera,
                           const AuditOptions& options = {});
 
-/// Casts the truth, draws the surface with the rasteriser, and judges it.
+/// Casts the truth, draws the surface (a mesh with the rasteriser) and judges it.
 AuditResult audit_surface(const HeightfieldTruth& truth, const DrawnSurface& surface,
                           const Camera& camera, const AuditOptions& options = {});
 

@@ -134,23 +134,28 @@ std::string audit_json(const AuditResult& result, const AuditSubject& subject) {
   json["claims"] = Json::array();
   for (const ClaimResult& claim : result.claims) json["claims"].push_back(claim_json(claim));
   json["patch_claims"] = {{"judged", result.patch_claims}, {"broken", result.patch_claims_broken}};
-  json["errors"] = {{"sample_m", distribution_json(result.samples.metres)},
-                    {"sample_px", distribution_json(result.samples.pixels)},
-                    {"sample_visible_px", distribution_json(result.samples.visible_pixels)},
-                    {"between_samples",
-                     {{"places", result.edges.places},
-                      {"max_m", result.edges.max_m},
-                      {"max_px", number(result.edges.max_px)}}},
-                    {"pixel_vertical_px", distribution_json(result.vertical)},
-                    {"pixel_vertical_reverse_px", distribution_json(result.reverse_vertical)},
-                    {"pixel_nearest_px", distribution_json(result.nearest.forward)},
-                    {"pixel_nearest_reverse_px", distribution_json(result.nearest.reverse)},
-                    {"depth_relative", distribution_json(result.depth)},
-                    {"normal_deg", distribution_json(result.normal_deg)}};
-  json["samples"] = {{"uncovered", result.samples.uncovered},
-                     {"drawn_over_void", result.samples.over_void}};
+  // null: only a mesh has it.
+  const auto of_mesh = [&](Json value) {
+    return result.of_mesh ? std::move(value) : Json(nullptr);
+  };
+  json["errors"] = {
+      {"sample_m", of_mesh(distribution_json(result.samples.metres))},
+      {"sample_px", of_mesh(distribution_json(result.samples.pixels))},
+      {"sample_visible_px", of_mesh(distribution_json(result.samples.visible_pixels))},
+      {"between_samples", of_mesh({{"places", result.edges.places},
+                                   {"max_m", result.edges.max_m},
+                                   {"max_px", number(result.edges.max_px)}})},
+      {"pixel_vertical_px", distribution_json(result.vertical)},
+      {"pixel_vertical_reverse_px", of_mesh(distribution_json(result.reverse_vertical))},
+      {"pixel_nearest_px", distribution_json(result.nearest.forward)},
+      {"pixel_nearest_reverse_px", of_mesh(distribution_json(result.nearest.reverse))},
+      {"depth_relative", distribution_json(result.depth)},
+      {"normal_deg", of_mesh(distribution_json(result.normal_deg))}};
+  json["samples"] = of_mesh(
+      {{"uncovered", result.samples.uncovered}, {"drawn_over_void", result.samples.over_void}});
   json["coverage"] = coverage_json(result.coverage);
-  json["topology"] = topology_json(result.topology);
+  if (!result.of_mesh) json["coverage"]["set_aside"] = result.pixels_set_aside;
+  json["topology"] = of_mesh(topology_json(result.topology));
   json["registration"] = registration_json(result.registration);
   json["cost"] = cost_json(result.cost);
   json["offenders"] = Json::array();

@@ -63,17 +63,20 @@ report::Table errors_table(const AuditResult& result) {
                            short_number(d.p99), short_number(d.p999), std::to_string(d.infinite)},
                           report::RowKind::Plain});
   };
-  add("samples, metres", result.samples.metres);
-  add("samples in view, pixels", result.samples.pixels);
-  add("samples visible, pixels", result.samples.visible_pixels);
+  const auto add_of_mesh = [&](const char* name, const Distribution& d) {
+    if (result.of_mesh) add(name, d);
+  };
+  add_of_mesh("samples, metres", result.samples.metres);
+  add_of_mesh("samples in view, pixels", result.samples.pixels);
+  add_of_mesh("samples visible, pixels", result.samples.visible_pixels);
   add("pixels, vertical, pixels", result.vertical);
-  add("the same from the truth", result.reverse_vertical);
+  add_of_mesh("the same from the truth", result.reverse_vertical);
   if (!result.nearest.forward_px.empty()) {
     add("pixels, nearest point, pixels", result.nearest.forward);
-    add("the same from the truth", result.nearest.reverse);
+    add_of_mesh("the same from the truth", result.nearest.reverse);
   }
   add("depth, relative", result.depth);
-  add("normals, degrees", result.normal_deg);
+  add_of_mesh("normals, degrees", result.normal_deg);
   return table;
 }
 
@@ -81,25 +84,34 @@ std::vector<report::KeyValue> shape_entries(const AuditResult& result) {
   const Coverage& c = result.coverage;
   const SampleErrors& s = result.samples;
   const Topology& t = result.topology;
-  return {{"pixels that must be terrain, must be sky, may be either",
-           fmt::format("{}, {}, {} (band of {} px along silhouettes)", c.must_be_terrain,
-                       c.must_be_sky, c.either, c.band_px)},
-          {"holes, overshoots, see-through pixels",
-           fmt::format("{}, {}, {}", c.holes, c.overshoots, c.see_through)},
-          {"samples with nothing drawn over them", std::to_string(s.uncovered)},
-          {"void samples drawn over", std::to_string(s.over_void)},
-          {"open edges, T-junctions", fmt::format("{}, {}", t.open_edges, t.t_junctions)},
-          {"non-manifold edges, vertices",
-           fmt::format("{}, {}", t.non_manifold_edges, t.non_manifold_vertices)},
-          {"degenerate, folded triangles",
-           fmt::format("{}, {}", t.degenerate_triangles, t.folded_triangles)},
-          {"samples under more than one triangle", std::to_string(s.overlapped)},
-          {"largest jump of levels between neighbours", std::to_string(t.largest_lod_jump)}};
+  std::vector<report::KeyValue> entries{
+      {"pixels that must be terrain, must be sky, may be either",
+       fmt::format("{}, {}, {} (band of {} px along silhouettes)", c.must_be_terrain, c.must_be_sky,
+                   c.either, c.band_px)},
+      {"holes, overshoots, see-through pixels",
+       fmt::format("{}, {}, {}", c.holes, c.overshoots, c.see_through)}};
+  if (!result.of_mesh) {
+    entries.push_back({"pixels set aside: their rays get below the ground without crossing it",
+                       std::to_string(result.pixels_set_aside)});
+    return entries;
+  }
+  const std::vector<report::KeyValue> of_mesh{
+      {"samples with nothing drawn over them", std::to_string(s.uncovered)},
+      {"void samples drawn over", std::to_string(s.over_void)},
+      {"open edges, T-junctions", fmt::format("{}, {}", t.open_edges, t.t_junctions)},
+      {"non-manifold edges, vertices",
+       fmt::format("{}, {}", t.non_manifold_edges, t.non_manifold_vertices)},
+      {"degenerate, folded triangles",
+       fmt::format("{}, {}", t.degenerate_triangles, t.folded_triangles)},
+      {"samples under more than one triangle", std::to_string(s.overlapped)},
+      {"largest jump of levels between neighbours", std::to_string(t.largest_lod_jump)}};
+  entries.insert(entries.end(), of_mesh.begin(), of_mesh.end());
+  return entries;
 }
 
 std::string registration_text(const Registration& r) {
   if (r.agrees)
-    return "agrees: every point drawn is seen at its own pixel and lies on its triangle";
+    return "agrees: every point drawn is seen at its own pixel and lies on what the picture names";
   return fmt::format(
       "does NOT agree: points are seen {} px (mean {:+.3g}, {:+.3g}) off their pixels and up to {} "
       "m off their "
@@ -126,8 +138,7 @@ std::vector<report::KeyValue> subject_entries(const AuditResult& result,
            subject.camera_name, c.eye_m.x, c.eye_m.y, c.eye_m.z, c.forward.x, c.forward.y,
            c.forward.z, c.width_px, c.height_px)},
       {"picture and camera", registration_text(result.registration)},
-      {"drawn", fmt::format("{} triangles, {} vertices, {} fragments", result.cost.triangles,
-                            result.cost.vertices, result.cost.fragments)},
+      {"drawn", drawn_text(result.cost)},
       {"patches' own claims",
        fmt::format("{} judged, {} broken", result.patch_claims, result.patch_claims_broken)},
       {"made again by", subject.command}};
@@ -188,6 +199,12 @@ std::string short_number(double value) {
 std::string with_unit(double value, Unit unit) {
   const std::string number = short_number(value);
   return unit == Unit::Count ? number : number + " " + name_of(unit);
+}
+
+std::string drawn_text(const Cost& cost) {
+  std::string text = fmt::format("{} triangles", cost.triangles);
+  if (cost.slices > 0) text += fmt::format(", {} slices", cost.slices);
+  return text + fmt::format(", {} vertices, {} fragments", cost.vertices, cost.fragments);
 }
 
 std::string verdict_sentence(const AuditResult& result) {

@@ -29,6 +29,9 @@ std::vector<std::string> write_report(const std::filesystem::path& folder,
 /// One sentence: what the verdict is, and why.
 std::string verdict_sentence(const AuditResult& result);
 
+/// "812 triangles, 40 slices, 446 vertices, 3000 fragments".
+std::string drawn_text(const Cost& cost);
+
 /// A number as tables show it: four digits, "inf", "-" for none.
 std::string short_number(double value);
 /// The same with its unit behind it: "0.98 px"; a count has none.

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "audit/surface_picture.h"
 #include "core/parallel.h"
 #include "image/srgb.h"
 #include "raster/shading/shade.h"
@@ -12,8 +13,10 @@ namespace plumb::audit {
 namespace {
 
 image::Rgb8Image shaded(const HitImage& hits, const std::vector<glm::dvec3>& normals,
-                        const HeightfieldTruth& truth, const Camera& camera) {
+                        const HeightfieldTruth& truth, const Camera& camera,
+                        bool two_sided = true) {
   raster::ShadeOptions options;
+  options.two_sided = two_sided;
   const reference::HeightRange& range = truth.caster.pyramid().root();
   if (!range.empty()) {
     options.low_m = range.low;
@@ -64,7 +67,9 @@ image::Rgb8Image truth_picture(const AuditResult& result, const HeightfieldTruth
 
 image::Rgb8Image drawn_picture(const AuditResult& result, const HeightfieldTruth& truth,
                                const DrawnSurface& surface, const Camera& camera) {
-  return shaded(result.drawn, raster::flat_normals(*surface.mesh, result.drawn), truth, camera);
+  return shaded(result.drawn,
+                shading_normals(surface, result.drawn, camera, truth.field(), truth.diagonal()),
+                truth, camera, result.of_mesh);
 }
 
 image::Rgb8Image difference_picture(const image::Rgb8Image& a, const image::Rgb8Image& b) {

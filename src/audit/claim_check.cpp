@@ -68,6 +68,9 @@ class Checker {
   }
 
   ClaimResult judge(const Claim& claim, std::string label) const {
+    if (!result_.of_mesh && claim.measure != Measure::PixelError &&
+        claim.measure != Measure::Coverage)
+      input_error("{}: this method draws no mesh, of which it could be measured", label);
     ClaimResult r;
     r.claim = claim;
     r.label = std::move(label);
@@ -194,6 +197,8 @@ class Checker {
       r = judge({Measure::PixelError, limit.bound, limit.unit}, limit.measure);
     } else if (limit.measure == "coverage") {
       r = judge({Measure::Coverage, limit.bound, Unit::Count}, limit.measure);
+    } else if (!result_.of_mesh && limit.measure != "nearest-error") {
+      input_error("{}: this method draws no mesh, of which it could be measured", limit.measure);
     } else {
       r.label = limit.measure;
       r.measured = limit.measure == "nearest-error"

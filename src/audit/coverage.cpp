@@ -160,7 +160,7 @@ class SecondLook {
   Camera local_;
   Band band_;
   int radius_;
-  std::vector<Neighbourhood> drawn_around_;
+  Neighbourhoods drawn_around_;
 };
 
 // The two patches that most pixels around show.
@@ -226,19 +226,21 @@ const char* name_of(DefectKind kind) {
 
 Coverage coverage_of(const HeightfieldTruth& truth, const HitImage& true_hits,
                      const HitImage& drawn, const Camera& camera, const DrawnSurface& surface,
-                     const Band& band, int most_listed) {
+                     const Band& band, const std::vector<std::uint8_t>& set_aside,
+                     int most_listed) {
   Coverage coverage;
   coverage.band_px =
       static_cast<int>(std::clamp(std::ceil(band.pixels), 1.0, static_cast<double>(kMostReach)));
   coverage.demand.assign(drawn.size(), Demand::Either);
   coverage.defects.assign(drawn.size(), DefectKind::None);
   const SecondLook look(truth, true_hits, drawn, camera, band, coverage.band_px);
-  const std::vector<Neighbourhood> bands = neighbourhoods(true_hits, coverage.band_px);
+  const Neighbourhoods bands = neighbourhoods(true_hits, coverage.band_px);
   parallel_for(drawn.height_px, 1, [&](std::int64_t row) {
     const int y = static_cast<int>(row);
     for (int x = 0; x < drawn.width_px; ++x) {
       const std::size_t pixel = drawn.index(x, y);
-      const Neighbourhood& n = bands[pixel];
+      if (!set_aside.empty() && set_aside[pixel]) continue;
+      const Neighbourhood n = bands[pixel];
       if (n.all_hit()) coverage.demand[pixel] = Demand::Terrain;
       if (n.all_miss()) coverage.demand[pixel] = Demand::Sky;
       coverage.defects[pixel] = look.judge(x, y, n);

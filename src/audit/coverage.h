@@ -64,9 +64,11 @@ struct Band {
 ///   (3) See-through: the point drawn lies behind all truth within the band, the truth above or
 ///   below that point is itself hidden, and on its way there the pixel's ray runs deeper below the
 ///   truth than the band. A surface that is merely displaced is the pixel error's matter.
-/// surface  names patches; its mesh's triangles are `drawn.primitive`
+/// surface    names patches; its mesh's triangles are `drawn.primitive`
+/// set_aside  1 for pixels that are not judged (set_aside.h); empty if there are none
 Coverage coverage_of(const HeightfieldTruth& truth, const HitImage& true_hits,
                      const HitImage& drawn, const Camera& camera, const DrawnSurface& surface,
-                     const Band& band, int most_listed = 100);
+                     const Band& band, const std::vector<std::uint8_t>& set_aside = {},
+                     int most_listed = 100);
 
 }  // namespace plumb::audit

@@ -1,6 +1,7 @@
 #include "audit/method.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/check.h"
 
@@ -27,13 +28,10 @@ const Method& find_method(const MethodTable& table, const std::string& name) {
   return *found;
 }
 
-std::unique_ptr<PreparedMethod> prepare_method(const Method& method,
-                                               const terrain::Heightfield& field,
-                                               const MethodChoice& choice,
-                                               const Tolerance& tolerance) {
+MethodChoice resolved_choice(const Method& method, MethodChoice choice) {
   const auto& variants = method.variants;
-  if (!choice.variant.empty() &&
-      std::find(variants.begin(), variants.end(), choice.variant) == variants.end()) {
+  if (choice.variant.empty()) choice.variant = variants.front();
+  if (std::find(variants.begin(), variants.end(), choice.variant) == variants.end()) {
     input_error("method {} has no variant '{}': it has {}", method.name, choice.variant,
                 joined(variants, [](const std::string& variant) { return variant; }));
   }
@@ -47,13 +45,19 @@ std::unique_ptr<PreparedMethod> prepare_method(const Method& method,
                   }));
     }
   }
+  return method.resolve ? method.resolve(std::move(choice)) : choice;
+}
+
+std::unique_ptr<PreparedMethod> prepare_method(const Method& method,
+                                               const terrain::Heightfield& field,
+                                               const MethodChoice& choice,
+                                               const Tolerance& tolerance) {
+  const MethodChoice settled = resolved_choice(method, choice);
   const auto& units = method.tolerance_units;
   if (std::find(units.begin(), units.end(), tolerance.unit) == units.end()) {
     input_error("method {} promises nothing in '{}': give a tolerance in {}", method.name,
                 name_of(tolerance.unit), joined(units, [](Unit unit) { return name_of(unit); }));
   }
-  MethodChoice settled = choice;
-  if (settled.variant.empty()) settled.variant = variants.front();
   return method.prepare(field, settled);
 }
 

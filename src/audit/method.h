@@ -37,6 +37,9 @@ struct Method {
   std::vector<std::pair<std::string, std::string>> parameters;  // names and what they mean
   std::function<std::unique_ptr<PreparedMethod>(const terrain::Heightfield&, const MethodChoice&)>
       prepare;
+  /// If set: what a parameter of the user's stands for, so that a result that names it can be made
+  /// again where a file that it came from is gone.
+  std::function<MethodChoice(MethodChoice)> resolve = {};
 };
 
 using MethodTable = std::vector<Method>;
@@ -63,6 +66,10 @@ const MethodTable& built_in_methods();
 
 /// Throws InputError naming the known ones.
 const Method& find_method(const MethodTable& table, const std::string& name);
+
+/// The choice with the method's first variant where none is named, and parameters that stand for
+/// themselves. Throws InputError for a variant or a parameter that the method does not have.
+MethodChoice resolved_choice(const Method& method, MethodChoice choice);
 
 /// Prepares a method after checking the choice against its row: throws InputError for a variant, a
 /// parameter or a unit of tolerance that it does not have.

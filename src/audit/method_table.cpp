@@ -1,9 +1,13 @@
 // The only registry of methods: a row for each.
+#include <cmath>
+
 #include "audit/method.h"
+#include "audit/profile_file.h"
 #include "core/check.h"
 #include "core/number_text.h"
 #include "mesh/full/full_detail.h"
 #include "mesh/restricted_quadtree/restricted_quadtree.h"
+#include "slicing/slicing_method.h"
 
 namespace plumb::audit {
 namespace {
@@ -45,10 +49,96 @@ Method restricted_quadtree() {
       }};
 }
 
+double number_parameter(const MethodChoice& choice, const std::string& name, double otherwise) {
+  const auto found = choice.parameters.find(name);
+  if (found == choice.parameters.end()) return otherwise;
+  const auto value = parse_number(found->second);
+  if (!value || !(*value > 0.0) || !std::isfinite(*value))
+    input_error("parameter {}: expected a number above zero, got '{}'", name, found->second);
+  return *value;
+}
+
+// The value that a word stands for; the first one if the parameter is left out.
+template <class Value>
+Value word_parameter(const MethodChoice& choice, const std::string& name,
+                     const std::vector<std::pair<std::string, Value>>& words) {
+  const auto found = choice.parameters.find(name);
+  if (found == choice.parameters.end()) return words.front().second;
+  std::string known;
+  for (const auto& [word, value] : words) {
+    if (word == found->second) return value;
+    known += (known.empty() ? "" : ", ") + word;
+  }
+  input_error("parameter {}: expected one of {}, got '{}'", name, known, found->second);
+}
+
+slicing::Parameters slicing_parameters(const MethodChoice& choice, bool hybrid) {
+  slicing::Parameters parameters;
+  parameters.hybrid = hybrid;
+  parameters.variant =
+      choice.variant == "published" ? slicing::Variant::Published : slicing::Variant::Conservative;
+  parameters.leaf_cells = integer_parameter(choice, "leaf_cells", parameters.leaf_cells);
+  if (parameters.leaf_cells < 2 || parameters.leaf_cells > 256 || parameters.leaf_cells % 2 != 0)
+    input_error("parameter leaf_cells: expected an even number from 2 to 256, got {}",
+                parameters.leaf_cells);
+  parameters.descend_factor = number_parameter(choice, "descend", parameters.descend_factor);
+  parameters.cut = word_parameter<slicing::CutChoice>(
+      choice, "cut",
+      {{"greedy", slicing::CutChoice::Greedy}, {"optimum", slicing::CutChoice::Optimum}});
+  parameters.heights = word_parameter<slicing::Interpolation>(
+      choice, "heights",
+      {{"triangulated", slicing::Interpolation::Triangulated},
+       {"bilinear", slicing::Interpolation::Bilinear},
+       {"nearest", slicing::Interpolation::Nearest},
+       {"eight-bit", slicing::Interpolation::EightBit},
+       {"mip-mapped", slicing::Interpolation::MipMapped}});
+  parameters.renderer = word_parameter<slicing::SliceRenderer>(
+      choice, "renderer",
+      {{"rays", slicing::SliceRenderer::Rays}, {"quads", slicing::SliceRenderer::Quads}});
+  const auto profile = choice.parameters.find("profile");
+  if (profile != choice.parameters.end()) parameters.profile = parse_profile(profile->second);
+  return parameters;
+}
+
+Method slicing_row(const std::string& name, const std::string& summary, bool hybrid) {
+  Method method;
+  method.name = name;
+  method.summary = summary;
+  method.variants = {"conservative", "published"};
+  method.tolerance_units = {Unit::Pixel};
+  method.parameters = {
+      {"leaf_cells", "cells along the side of the smallest box, even (8)"},
+      {"descend", "descend where a box costs more than this times its children (0.9)"},
+      {"cut", "greedy, as the article has it, or optimum, by dynamic programming (greedy)"},
+      {"heights",
+       "how they are looked up: triangulated, bilinear, nearest, eight-bit or mip-mapped "
+       "(triangulated)"},
+      {"renderer", "rays, or quads through the rasteriser (rays)"},
+      {"profile",
+       "speeds for the cost model: a name, a .toml file or NAME,VERTICES_PER_S,"
+       "PIXELS_PER_S (geforce2-mx)"}};
+  method.prepare = [hybrid](const terrain::Heightfield& field, const MethodChoice& choice) {
+    return adapt(
+        slicing::prepare(field, terrain::Diagonal::Alternating, slicing_parameters(choice, hybrid)),
+        slicing::draw);
+  };
+  method.resolve = [](MethodChoice choice) {
+    const auto profile = choice.parameters.find("profile");
+    if (profile != choice.parameters.end())
+      profile->second = to_text(parse_profile(profile->second));
+    return choice;
+  };
+  return method;
+}
+
 }  // namespace
 
 const MethodTable& built_in_methods() {
-  static const MethodTable table{full(), restricted_quadtree()};
+  static const MethodTable table{
+      full(), restricted_quadtree(),
+      slicing_row("slicing", "stacks of slices through the terrain; polygons where none can be",
+                  false),
+      slicing_row("hybrid-slicing", "slices or polygons for each box, whichever costs less", true)};
   return table;
 }
 

@@ -1,7 +1,12 @@
 #include "audit/nearest_error.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <optional>
+#include <span>
 
 #include "core/parallel.h"
 #include "reference/heightfield_nearest.h"
@@ -20,6 +25,29 @@ double apart_on_screen(const Camera& camera, const glm::dvec3& p, const glm::dve
   if (!(a.z > 0.0) || !(b.z > 0.0)) return kInfinity;
   const glm::dvec2 d = view_to_pixel(camera, a) - view_to_pixel(camera, b);
   return std::sqrt(glm::dot(d, d));
+}
+
+// A few pixels side by side: what they show mostly lies close together.
+constexpr int kTileWidth = 8, kTileHeight = 2;
+constexpr std::size_t kTilePixels = kTileWidth * kTileHeight;
+struct Tile {
+  const HitImage& image;
+  int x0, y0;
+
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    for (int y = y0; y < std::min(y0 + kTileHeight, image.height_px); ++y) {
+      for (int x = x0; x < std::min(x0 + kTileWidth, image.width_px); ++x) visit(image.index(x, y));
+    }
+  }
+};
+
+template <class Visit>
+void for_each_tile(const HitImage& image, const Visit& visit) {
+  parallel_for((image.height_px + kTileHeight - 1) / kTileHeight, 1, [&](std::int64_t row) {
+    for (int x = 0; x < image.width_px; x += kTileWidth)
+      visit(Tile{image, x, static_cast<int>(row) * kTileHeight});
+  });
 }
 
 }  // namespace
@@ -49,29 +77,46 @@ std::vector<float> reverse_nearest_errors(const HeightfieldTruth& truth, const H
                                           const TriangleMesh& mesh, const Camera& camera) {
   const Camera local = relative_to(camera, truth.field().world_origin_m());
   std::vector<float> errors(true_hits.size(), kNothing);
-  std::vector<std::size_t> asked;
-  for (std::size_t pixel = 0; pixel < true_hits.size(); ++pixel) {
-    if (!true_hits.hit(pixel)) continue;
-    errors[pixel] = 0.0f;
-    if (!(std::abs(vertical.vertical_m[pixel]) <= truth.slack_m)) asked.push_back(pixel);
-  }
-  if (asked.empty()) return errors;
-  if (mesh.triangles.empty()) {
-    for (const std::size_t pixel : asked) errors[pixel] = std::numeric_limits<float>::infinity();
-    return errors;
-  }
-  const reference::MeshNearest nearest(mesh);
+  const auto is_off = [&](std::size_t pixel) {
+    return true_hits.hit(pixel) && !(std::abs(vertical.vertical_m[pixel]) <= truth.slack_m);
+  };
+  const auto pixels = static_cast<std::int64_t>(true_hits.size());
+  const bool any = parallel_ordered_reduce(
+      pixels, 4096, false,
+      [&](std::int64_t begin, std::int64_t end, bool found) {
+        for (std::int64_t k = begin; k < end && !found; ++k)
+          found = is_off(static_cast<std::size_t>(k));
+        return found;
+      },
+      std::logical_or<>());
+  std::optional<reference::MeshNearest> nearest;
+  if (any && !mesh.triangles.empty()) nearest.emplace(mesh);
   const glm::dvec3 shift = mesh.origin_m - truth.field().world_origin_m();
-  parallel_for(static_cast<std::int64_t>(asked.size()), 256, [&](std::int64_t k) {
-    const std::size_t pixel = asked[static_cast<std::size_t>(k)];
-    const glm::dvec3 point = local.eye_m + true_hits.from_eye_m[pixel];
-    const double radius =
-        std::abs(static_cast<double>(vertical.vertical_m[pixel])) * (1.0 + 1e-6) + truth.slack_m;
-    const reference::NearestPoint found =
-        nearest.nearest(point - shift, radius, vertical.triangle[pixel]);
-    errors[pixel] = static_cast<float>(found ? apart_on_screen(local, point, found.point_m + shift)
-                                             : kInfinity);
-  });
+  const auto ask = [&](const Tile& tile) {
+    std::array<std::size_t, kTilePixels> asked;
+    std::array<glm::dvec3, kTilePixels> points;
+    std::array<reference::NearestQuery, kTilePixels> queries;
+    std::array<reference::NearestPoint, kTilePixels> found;
+    std::size_t count = 0;
+    tile.for_each([&](std::size_t pixel) {
+      if (true_hits.hit(pixel)) errors[pixel] = 0.0f;
+      if (!is_off(pixel)) return;
+      errors[pixel] = std::numeric_limits<float>::infinity();
+      const double radius =
+          std::abs(static_cast<double>(vertical.vertical_m[pixel])) * (1.0 + 1e-6) + truth.slack_m;
+      points[count] = local.eye_m + true_hits.from_eye_m[pixel];
+      queries[count] = {points[count] - shift, radius, vertical.triangle[pixel]};
+      asked[count++] = pixel;
+    });
+    if (!nearest) return;
+    nearest->nearest_together(std::span(queries).first(count), std::span(found).first(count));
+    for (std::size_t k = 0; k < count; ++k) {
+      if (!found[k]) continue;
+      errors[asked[k]] =
+          static_cast<float>(apart_on_screen(local, points[k], found[k].point_m + shift));
+    }
+  };
+  for_each_tile(true_hits, ask);
   return errors;
 }
 

@@ -14,7 +14,13 @@ struct Neighbourhood {
   bool all_miss() const { return nearest == kNoHit; }
 };
 
+/// A neighbourhood for each pixel, row by row.
+struct Neighbourhoods {
+  std::vector<double> nearest, deepest;
+  Neighbourhood operator[](std::size_t pixel) const { return {nearest[pixel], deepest[pixel]}; }
+};
+
 /// Of the square of 2 radius + 1 pixels around each pixel, as far as the picture reaches.
-std::vector<Neighbourhood> neighbourhoods(const HitImage& image, int radius);
+Neighbourhoods neighbourhoods(const HitImage& image, int radius);
 
 }  // namespace plumb::audit

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "audit/surface_picture.h"
 #include "core/box.h"
 #include "core/check.h"
 #include "core/parallel.h"
@@ -32,8 +33,10 @@ void add_header(const terrain::Heightfield& field, const PictureMaker& maker,
 
 image::AovImage finish(const terrain::Heightfield& field, const HitImage& hits,
                        const Camera& camera, const PictureMaker& maker,
-                       std::span<const glm::dvec3> normals, const image::PatchPlanes& planes) {
+                       std::span<const glm::dvec3> normals, const image::PatchPlanes& planes,
+                       bool two_sided = true) {
   raster::ShadeOptions options;
+  options.two_sided = two_sided;
   const Box box = bounds(field);
   if (!box.empty()) {
     options.low_m = box.low.z;
@@ -55,13 +58,13 @@ image::AovImage finish(const terrain::Heightfield& field, const HitImage& hits,
 image::AovImage draw_picture(const terrain::Heightfield& field, const HitImage& drawn,
                              const DrawnSurface& surface, const Camera& camera,
                              const PictureMaker& maker) {
-  require(surface.mesh != nullptr, "a drawn surface must have a mesh");
-  const std::vector<glm::dvec3> normals = raster::flat_normals(*surface.mesh, drawn);
+  const std::vector<glm::dvec3> normals =
+      shading_normals(surface, drawn, camera, field, maker.diagonal);
   image::PatchPlanes planes = image::patch_planes(drawn, surface);
   for (std::size_t k = 0; k < drawn.size() && !surface.triangle_lod.empty(); ++k) {
     if (drawn.hit(k)) planes.lods[k] = surface.triangle_lod.at(drawn.primitive[k]);
   }
-  return finish(field, drawn, camera, maker, normals, planes);
+  return finish(field, drawn, camera, maker, normals, planes, surface.mesh != nullptr);
 }
 
 image::AovImage draw_truth_picture(const terrain::Heightfield& field, const HitImage& true_hits,

@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "core/parallel.h"
-#include "core/reproducible_math.h"
 #include "core/screen_error.h"
 
 namespace plumb::audit {
@@ -161,26 +160,6 @@ std::vector<float> depth_errors(const HitImage& true_hits, const HitImage& drawn
     if (!drawn.hit(pixel) || !true_hits.hit(pixel)) return;
     errors[pixel] = static_cast<float>(std::abs(drawn.depth_m[pixel] - true_hits.depth_m[pixel]) /
                                        true_hits.depth_m[pixel]);
-  });
-  return errors;
-}
-
-std::vector<float> normal_errors_deg(const HeightfieldTruth& truth, const HitImage& true_hits,
-                                     const TriangleMesh& mesh, const HitImage& drawn) {
-  std::vector<float> errors(drawn.size(), kNothing);
-  parallel_for(static_cast<std::int64_t>(drawn.size()), kGrain, [&](std::int64_t k) {
-    const auto pixel = static_cast<std::size_t>(k);
-    if (!drawn.hit(pixel) || !true_hits.hit(pixel)) return;
-    const glm::dvec3 expected =
-        reference::triangle_normal(truth.field(), truth.diagonal(), true_hits.primitive[pixel]);
-    const Triangle& t = mesh.triangles[drawn.primitive[pixel]];
-    glm::dvec3 normal =
-        area_normal(mesh.vertices_m[t[0]], mesh.vertices_m[t[1]], mesh.vertices_m[t[2]]);
-    if (normal.z < 0.0) normal = -normal;  // a sheet has two sides
-    const glm::dvec3 across = glm::cross(expected, normal);
-    const double sine = std::sqrt(glm::dot(across, across));
-    errors[pixel] =
-        static_cast<float>(degrees(reproducible_atan2(sine, glm::dot(expected, normal))));
   });
   return errors;
 }

@@ -18,9 +18,23 @@ struct Sums {
   // -distance.
   std::array<double, 6> matrix{};
   glm::dvec3 right{0.0};
+
+  void add_shift(const glm::dvec2& each) {
+    count += 1.0;
+    shift += each;
+    largest_shift = std::max(largest_shift, std::sqrt(glm::dot(each, each)));
+  }
+  void add_plane(const glm::dvec3& normal, double distance) {
+    largest_off = std::max(largest_off, std::abs(distance));
+    const std::array<double, 6> products{normal.x * normal.x, normal.x * normal.y,
+                                         normal.x * normal.z, normal.y * normal.y,
+                                         normal.y * normal.z, normal.z * normal.z};
+    for (std::size_t k = 0; k < 6; ++k) matrix[k] += products[k];
+    right += -distance * normal;
+  }
 };
 
-Sums add(Sums a, const Sums& b) {
+Sums joined(Sums a, const Sums& b) {
   a.count += b.count;
   a.shift += b.shift;
   a.largest_shift = std::max(a.largest_shift, b.largest_shift);
@@ -29,6 +43,10 @@ Sums add(Sums a, const Sums& b) {
   for (std::size_t k = 0; k < 6; ++k) a.matrix[k] += b.matrix[k];
   a.right += b.right;
   return a;
+}
+
+double magnitude(const glm::dvec3& v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
 double determinant(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
@@ -50,45 +68,34 @@ glm::dvec3 solve(const Sums& s) {
 
 }  // namespace
 
-Registration registration_of(const TriangleMesh& mesh, const HitImage& drawn,
+Registration registration_of(const TriangleMesh* mesh, const HitImage& drawn,
                              const Camera& camera) {
-  const glm::dvec3 eye = camera.eye_m - mesh.origin_m;
-  const auto pixel_sums = [&](std::size_t pixel) {
-    Sums s;
-    if (!drawn.hit(pixel)) return s;
+  const glm::dvec3 eye = camera.eye_m - (mesh != nullptr ? mesh->origin_m : camera.eye_m);
+  const auto add_pixel = [&](std::size_t pixel, Sums& sums) {
+    if (!drawn.hit(pixel)) return;
     const glm::dvec3& ray = drawn.from_eye_m[pixel];
     const glm::dvec3 view{glm::dot(ray, camera.right), glm::dot(ray, camera.up),
                           glm::dot(ray, camera.forward)};
     const auto x = static_cast<double>(pixel % static_cast<std::size_t>(drawn.width_px));
     const auto y = static_cast<double>(pixel / static_cast<std::size_t>(drawn.width_px));
-    const glm::dvec2 shift = view_to_pixel(camera, view) - glm::dvec2(x + 0.5, y + 0.5);
-    const Triangle& t = mesh.triangles[drawn.primitive[pixel]];
-    const glm::dvec3 a = mesh.vertices_m[t[0]], b = mesh.vertices_m[t[1]],
-                     c = mesh.vertices_m[t[2]];
+    sums.add_shift(view_to_pixel(camera, view) - glm::dvec2(x + 0.5, y + 0.5));
+    if (mesh == nullptr) return;
+    const Triangle& t = mesh->triangles[drawn.primitive[pixel]];
+    const glm::dvec3 a = mesh->vertices_m[t[0]], b = mesh->vertices_m[t[1]],
+                     c = mesh->vertices_m[t[2]];
     glm::dvec3 normal = area_normal(a, b, c);
     const double length = std::sqrt(glm::dot(normal, normal));
     if (length > 0.0) normal /= length;  // a triangle without area has no plane to be off
-    const double distance = glm::dot(normal, (eye - a) + ray);
-    s.count = 1.0;
-    s.shift = shift;
-    s.largest_shift = std::sqrt(glm::dot(shift, shift));
-    s.largest_off = std::abs(distance);
-    s.reach =
-        std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z), std::abs(eye.x), std::abs(eye.y),
-                  std::abs(eye.z), std::abs(ray.x), std::abs(ray.y), std::abs(ray.z)});
-    s.matrix = {normal.x * normal.x, normal.x * normal.y, normal.x * normal.z,
-                normal.y * normal.y, normal.y * normal.z, normal.z * normal.z};
-    s.right = -distance * normal;
-    return s;
+    sums.add_plane(normal, glm::dot(normal, (eye - a) + ray));
+    sums.reach = std::max({sums.reach, magnitude(a), magnitude(ray)});
   };
   const Sums sums = parallel_ordered_reduce(
       static_cast<std::int64_t>(drawn.size()), 4096, Sums{},
       [&](std::int64_t begin, std::int64_t end, Sums s) {
-        for (std::int64_t k = begin; k < end; ++k)
-          s = add(s, pixel_sums(static_cast<std::size_t>(k)));
+        for (std::int64_t k = begin; k < end; ++k) add_pixel(static_cast<std::size_t>(k), s);
         return s;
       },
-      add);
+      joined);
   Registration r;
   if (sums.count == 0.0) return r;
   r.mean_shift_px = sums.shift / sums.count;
@@ -97,7 +104,7 @@ Registration registration_of(const TriangleMesh& mesh, const HitImage& drawn,
   // Points, corners and the eye are each rounded at their magnitude, a few times over; thin
   // triangles have normals that are off by as much again.
   r.allowed_off_plane_m =
-      256.0 * std::numeric_limits<double>::epsilon() * std::max(1.0, sums.reach);
+      256.0 * std::numeric_limits<double>::epsilon() * std::max({1.0, sums.reach, magnitude(eye)});
   r.eye_offset_m = solve(sums);
   r.agrees = r.largest_shift_px <= kSnapShiftPx && r.largest_off_plane_m <= r.allowed_off_plane_m;
   return r;

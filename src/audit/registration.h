@@ -11,7 +11,7 @@
 namespace plumb::audit {
 
 /// Two tests that need no truth: each point drawn must be seen at its own pixel's centre, and must
-/// lie on the triangle that the picture names.
+/// lie on the triangle that the picture names. A surface without triangles passes the second.
 struct Registration {
   glm::dvec2 mean_shift_px{0.0};  // of the points' pixels from the pixels' centres
   double largest_shift_px = 0.0;  // 1/512 a side is what snapping to 1/256 pixel gives
@@ -26,6 +26,7 @@ struct Registration {
 /// rounding.
 inline constexpr double kSnapShiftPx = 1.4142135624 / 512.0 + 1e-6;
 
-Registration registration_of(const TriangleMesh& mesh, const HitImage& drawn, const Camera& camera);
+/// `mesh` is null where the picture is of none.
+Registration registration_of(const TriangleMesh* mesh, const HitImage& drawn, const Camera& camera);
 
 }  // namespace plumb::audit

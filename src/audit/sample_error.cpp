@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "audit/neighbourhood.h"
+#include "audit/project_samples.h"
 #include "audit/surface_deviation.h"
 #include "core/parallel.h"
 #include "core/screen_error.h"
@@ -13,8 +14,6 @@
 namespace plumb::audit {
 namespace {
 
-constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
-constexpr glm::dvec3 kUp{0.0, 0.0, 1.0};
 constexpr double kHiddenByLess =
     1e-3;  // relative depth by which a sample may lie behind the truth around its pixel
 
@@ -27,14 +26,15 @@ bool inside_image(const Camera& camera, const glm::dvec2& pixel) {
 struct RowErrors {
   WorstSample worst_m, worst_px;
   std::vector<std::pair<int, double>>
-      patches;  // patch and its largest error in this row, runs joined
+      patches;                    // patch and its largest error in this row, runs joined
+  std::vector<float> visible_px;  // of the samples that the truth shows
   std::int64_t uncovered = 0, over_void = 0, overlapped = 0;
   double pixels_per_metre = 0.0;
 };
 
 // A row's part of the maps.
 struct RowValues {
-  float *metres, *pixels, *visible;
+  float *metres, *pixels;
 };
 
 class RowMeasure {
@@ -45,116 +45,97 @@ class RowMeasure {
         true_hits_(true_hits),
         surface_(surface),
         camera_(local),
-        up_(direction_to_view(local, kUp)),
-        around_(neighbourhoods(true_hits, 1)) {}
+        project_(project_samples(instruction_set())),
+        deepest_m_(neighbourhoods(true_hits, 1).deepest) {}
 
   RowErrors operator()(int j, const DeviationRow& row, RowValues values) const {
     RowErrors errors;
-    std::uint32_t last = kNoPrimitive;  // neighbours mostly share a triangle, and its patch
-    Projected projected;
-    for (int i = 0; i < truth_.field().columns(); ++i) {
-      const int k = i % Projected::kMost;
-      if (k == 0) project(i, j, projected);
-      values.metres[i] = values.pixels[i] = values.visible[i] = kNothing;
-      const Deviation deviation = row[i];
-      errors.overlapped += deviation.sheets > 1;
-      if (!is_comparable(i, j, deviation, errors)) continue;
-      if (last != deviation.triangle) {
-        last = deviation.triangle;
-        const int before = errors.patches.empty() ? -1 : errors.patches.back().first;
-        const int patch = patch_of(surface_, last, before);
-        if (patch != before) errors.patches.emplace_back(patch, 0.0);
-      }
-      auto& [patch, most] = errors.patches.back();
-      const double metres = std::abs(deviation.delta_m);
-      values.metres[i] = static_cast<float>(metres);
-      most = std::max(most, metres);
-      if (errors.worst_m.i < 0 || metres > errors.worst_m.error)
-        errors.worst_m = {i, j, metres, deviation.delta_m, last, patch};
-      if (!is_in_frustum(projected, k)) continue;
-      const double error = on_screen(projected, k, deviation.delta_m, errors.pixels_per_metre);
-      values.pixels[i] = static_cast<float>(error);
-      if (is_visible(projected, k)) values.visible[i] = values.pixels[i];
-      if (errors.worst_px.i < 0 || error > errors.worst_px.error)
-        errors.worst_px = {i, j, error, deviation.delta_m, last, patch};
+    ProjectedSamples samples;
+    const terrain::Heightfield& field = truth_.field();
+    for (int first = 0; first < field.columns(); first += ProjectedSamples::kMost) {
+      const int count = std::min(ProjectedSamples::kMost, field.columns() - first);
+      project_(camera_,
+               {j * field.dy_m, field.dx_m, first, count, row.heights_m + first,
+                row.delta_m + first, row.triangle + first},
+               samples, errors.pixels_per_metre);
+      const auto narrow = [](double error) { return static_cast<float>(error); };
+      std::transform(samples.metres, samples.metres + count, values.metres + first, narrow);
+      std::transform(samples.pixels, samples.pixels + count, values.pixels + first, narrow);
+      add_samples(first, j, count, row, samples, errors);
     }
     return errors;
   }
 
  private:
-  // Where a run of a row's samples is seen.
-  struct Projected {
-    static constexpr int kMost = 256;
-    double x_px[kMost], y_px[kMost], depth_m[kMost];  // meaningless behind the eye
-    double speed_squared[kMost];                      // of screen_speed
-  };
+  void add_samples(int first, int j, int count, const DeviationRow& row,
+                   const ProjectedSamples& samples, RowErrors& errors) const {
+    for (int k = 0; k < count; ++k) errors.overlapped += row.sheets[first + k] > 1.0;
+    // Neighbours mostly share a triangle, and its patch.
+    for (int begin = 0, end = 0; begin < count; begin = end) {
+      const double triangle = row.triangle[first + begin];
+      for (end = begin + 1; end < count && row.triangle[first + end] == triangle;) ++end;
+      if (triangle < 0.0) {
+        for (int k = begin; k < end; ++k) count_missing(first + k, j, errors);
+      } else {
+        add_run(first, j, {begin, end}, row, samples, errors);
+      }
+    }
+    add_visible(samples, count, errors.visible_px);
+  }
 
-  // The samples from (i, j) eastwards: to_view, view_to_pixel and screen_velocity, written out for
-  // a loop without branches or calls.
-  void project(int i, int j, Projected& to) const {
-    const terrain::Heightfield& field = truth_.field();
-    const Camera& c = camera_;
-    const double dx = field.dx_m, y = j * field.dy_m - c.eye_m.y;
-    const double y_right = y * c.right.y, y_up = y * c.up.y, y_forward = y * c.forward.y;
-    const float* heights = &field.heights_m(i, j);
-    const int count = std::min(Projected::kMost, field.columns() - i);
+  // Samples under one triangle.
+  void add_run(int first, int j, glm::ivec2 run, const DeviationRow& row,
+               const ProjectedSamples& samples, RowErrors& errors) const {
+    const std::uint32_t triangle = row[first + run.x].triangle;
+    const int before = errors.patches.empty() ? -1 : errors.patches.back().first;
+    const int patch = patch_of(surface_, triangle, before);
+    if (patch != before) errors.patches.emplace_back(patch, 0.0);
+    double& most = errors.patches.back().second;
+    const auto keep = [&](WorstSample& worst, int k, double error) {
+      worst = {first + k, j, error, row.delta_m[first + k], triangle, patch};
+    };
+    for (int k = run.x; k < run.y; ++k) {
+      const double metres = samples.metres[k], pixels = samples.pixels[k];
+      errors.over_void += std::isnan(metres);
+      most = metres > most ? metres : most;
+      if (metres > errors.worst_m.error || (errors.worst_m.i < 0 && metres == 0.0))
+        keep(errors.worst_m, k, metres);
+      if (pixels > errors.worst_px.error || (errors.worst_px.i < 0 && pixels == 0.0))
+        keep(errors.worst_px, k, pixels);
+    }
+  }
+
+  // Those in view that are not behind the truth that their pixel or one of the eight around it
+  // shows. Looked up first and asked then, so that one look does not wait for the other.
+  void add_visible(const ProjectedSamples& samples, int count,
+                   std::vector<float>& visible_px) const {
+    double deepest_m[ProjectedSamples::kMost];
+    for (int k = 0; k < count; ++k)
+      deepest_m[k] = deepest_m_[true_hits_.index(samples.column[k], samples.row[k])];
+    float shown[ProjectedSamples::kMost];
+    int number = 0;
     for (int k = 0; k < count; ++k) {
-      const double x = (i + k) * dx - c.eye_m.x, z = static_cast<double>(heights[k]) - c.eye_m.z;
-      const double across = x * c.right.x + y_right + z * c.right.z;
-      const double upwards = x * c.up.x + y_up + z * c.up.z;
-      const double depth = x * c.forward.x + y_forward + z * c.forward.z;
-      to.x_px[k] = c.centre_px.x + c.gamma_h * (across / depth);
-      to.y_px[k] = c.centre_px.y - c.gamma_v * (upwards / depth);
-      to.depth_m[k] = depth;
-      const double u = c.gamma_h * (depth * up_.x - up_.z * across);
-      const double v = c.gamma_v * (depth * up_.y - up_.z * upwards);
-      to.speed_squared[k] = u * u + v * v;
+      shown[number] = static_cast<float>(samples.pixels[k]);
+      number += !std::isnan(samples.pixels[k]) &
+                (samples.depth_m[k] <= deepest_m[k] * (1.0 + kHiddenByLess));
     }
+    visible_px.insert(visible_px.end(), shown, shown + number);
   }
 
-  bool is_in_frustum(const Projected& at, int k) const {
-    return at.depth_m[k] >= camera_.near_m && at.depth_m[k] <= camera_.far_m &&
-           inside_image(camera_, {at.x_px[k], at.y_px[k]});
-  }
-
-  double on_screen(const Projected& at, int k, double delta_m, double& pixels_per_metre) const {
-    const double speed = std::sqrt(at.speed_squared[k]), depth = at.depth_m[k];
-    // Divided only where it may be the largest.
-    const double small = 1e-6 * depth;
-    if (speed * (1.0 + 1e-9) > pixels_per_metre * depth * (depth + small * up_.z)) {
-      pixels_per_metre = std::max(
-          pixels_per_metre, screen_displacement_at_speed_px(speed, depth, up_.z, small) / small);
-    }
-    return screen_displacement_at_speed_px(speed, depth, up_.z, delta_m);
-  }
-
-  // True if there is a surface and something drawn over it; else counts what is missing.
-  bool is_comparable(int i, int j, const Deviation& deviation, RowErrors& errors) const {
+  // A sample with nothing drawn over it: a void, or of no triangle that exists, or missing.
+  void count_missing(int i, int j, RowErrors& errors) const {
     const terrain::Heightfield& field = truth_.field();
-    if (field.is_void(i, j)) {
-      errors.over_void += deviation.covered();
-      return false;
-    }
-    if (deviation.covered()) return true;
     errors.uncovered +=
+        !field.is_void(i, j) &&
         reference::exists_at(field, truth_.diagonal(), i * field.dx_m, j * field.dy_m);
-    return false;
-  }
-
-  // Not behind the truth that its pixel or one of the eight around it shows.
-  bool is_visible(const Projected& at, int k) const {
-    // A place on the image's right or lower rim belongs to the last pixel.
-    const int x = std::min(static_cast<int>(at.x_px[k]), true_hits_.width_px - 1),
-              y = std::min(static_cast<int>(at.y_px[k]), true_hits_.height_px - 1);
-    return at.depth_m[k] <= around_[true_hits_.index(x, y)].deepest * (1.0 + kHiddenByLess);
   }
 
   const HeightfieldTruth& truth_;
   const HitImage& true_hits_;
   const DrawnSurface& surface_;
-  const Camera& camera_;
-  glm::dvec3 up_;                      // in view coordinates
-  std::vector<Neighbourhood> around_;  // of the truth's pixels, and the eight next to each
+  ProjectingCamera camera_;
+  ProjectSamples project_;
+  std::vector<double> deepest_m_;  // of the truth's pixels, and the eight next to each
 };
 
 void keep_worse(WorstSample& worst, const WorstSample& other) {
@@ -178,12 +159,11 @@ SampleErrors sample_errors(const HeightfieldTruth& truth, const HitImage& true_h
   const auto columns = static_cast<std::size_t>(truth.field().columns());
   errors.values_m = SampleMap(rows.size() * columns);
   errors.values_px = SampleMap(rows.size() * columns);
-  SampleMap visible(rows.size() * columns);
   for_each_sample_row(
       truth.field(), *surface.mesh, &errors.triangle_max_m, [&](int j, const DeviationRow& row) {
         const auto y = static_cast<std::size_t>(j);
         const auto part = [&](SampleMap& map) { return map.span().data() + y * columns; };
-        rows[y] = measure(j, row, {part(errors.values_m), part(errors.values_px), part(visible)});
+        rows[y] = measure(j, row, {part(errors.values_m), part(errors.values_px)});
       });
   errors.patch_max_m.assign(std::max<std::size_t>(1, surface.patches.size()), 0.0);
   // From the south, so that the first of equals is the same on every machine.
@@ -201,7 +181,10 @@ SampleErrors sample_errors(const HeightfieldTruth& truth, const HitImage& true_h
   }
   errors.metres = distribution_of(errors.values_m.span());
   errors.pixels = distribution_of(errors.values_px.span());
-  errors.visible_pixels = distribution_of(visible.span());
+  std::vector<float> visible_px;
+  for (const RowErrors& row : rows)
+    visible_px.insert(visible_px.end(), row.visible_px.begin(), row.visible_px.end());
+  errors.visible_pixels = distribution_of(visible_px);
   return errors;
 }
 

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "audit/picture.h"
+#include "audit/surface_picture.h"
 #include "core/memory.h"
 #include "core/stopwatch.h"
-#include "raster/rasteriser.h"
 #include "reference/pyramid_caster.h"
 #include "terrain/terrain_source.h"
 
@@ -61,8 +61,8 @@ SceneDrawer::SceneDrawer(terrain::Heightfield field, Scene scene, const MethodTa
       program_version_(std::move(program_version)) {
   scene_.terrain = field_->provenance.source;
   scene_.diagonal = name_of(diagonal_);
-  if (scene_.painter == audit::Painter::Method && scene_.choice.variant.empty())
-    scene_.choice.variant = method_->variants.front();
+  if (scene_.painter == audit::Painter::Method)
+    scene_.choice = resolved_choice(*method_, std::move(scene_.choice));
 }
 
 SceneDrawer::~SceneDrawer() = default;
@@ -101,10 +101,9 @@ DrawnScene SceneDrawer::draw(const CameraDescription& camera, const StepListener
     drawn.hits = painter_->caster->cast_frame(drawn.camera);
   } else {
     drawn.surface = painter_->method->draw(drawn.camera, scene_.tolerance);
-    raster::RasterResult raster =
-        raster::rasterise(*drawn.surface.mesh, drawn.camera, {.runs = drawn.surface.usable_runs()});
-    drawn.hits = std::move(raster.image);
-    drawn.surface.cost.fragments = raster.fragments;
+    SurfacePicture picture = picture_of(drawn.surface, drawn.camera);
+    drawn.hits = std::move(picture.image);
+    drawn.surface.cost.fragments = picture.fragments;
   }
   drawn.times.prepare_s = prepare_s_;
   drawn.times.draw_s = watch.lap_s();

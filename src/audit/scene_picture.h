@@ -40,8 +40,8 @@ using StepListener = std::function<void(const std::string&)>;
 class SceneDrawer {
  public:
   /// field  the terrain, read as scene.read says
-  /// Keeps a reference to the table. Throws InputError for a method or a diagonal that is not
-  /// there.
+  /// Keeps a reference to the table. Throws InputError for a method, a diagonal, a variant or a
+  /// parameter that is not there.
   SceneDrawer(terrain::Heightfield field, Scene scene, const MethodTable& table,
               std::string program_version);
   ~SceneDrawer();

@@ -114,7 +114,8 @@ class BandCover {
 
   DeviationRow row(int j) const {
     const std::ptrdiff_t at = offset(j);
-    return {delta_m_.data() + at, triangle_.data() + at, sheets_.data() + at};
+    return {heights_m_.data() + at, delta_m_.data() + at, triangle_.data() + at,
+            sheets_.data() + at};
   }
 
  private:

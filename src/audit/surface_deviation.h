@@ -36,19 +36,17 @@ struct Deviation {
 /// Cells by which a search for triangles over a place reaches beyond their boxes.
 inline constexpr double kNearLine = 1e-6;
 
-/// What lies over one row of samples; columns of them.
-class DeviationRow {
- public:
-  DeviationRow(const double* delta_m, const double* triangle, const double* sheets)
-      : delta_m_(delta_m), triangle_(triangle), sheets_(sheets) {}
-  Deviation operator[](int i) const {
-    return {delta_m_[i],
-            triangle_[i] < 0.0 ? kNoPrimitive : static_cast<std::uint32_t>(triangle_[i]),
-            static_cast<std::uint32_t>(sheets_[i])};
-  }
+/// What lies over one row of samples, a column each; the arrays are a CoverRow's, padded as those.
+struct DeviationRow {
+  const float* heights_m;  // of the truth
+  const double* delta_m;   // drawn minus truth
+  const double* triangle;  // its number; negative where nothing is drawn
+  const double* sheets;    // triangles that hold the sample in their inside
 
- private:
-  const double *delta_m_, *triangle_, *sheets_;
+  Deviation operator[](int i) const {
+    return {delta_m[i], triangle[i] < 0.0 ? kNoPrimitive : static_cast<std::uint32_t>(triangle[i]),
+            static_cast<std::uint32_t>(sheets[i])};
+  }
 };
 
 /// One row of samples at a time, in no particular order and from several threads: visit(j,

@@ -2,16 +2,30 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "core/camera.h"
 #include "core/claim.h"
 #include "core/cost.h"
+#include "core/hit_image.h"
 #include "core/mesh_runs.h"
 #include "core/triangle_mesh.h"
 
 namespace plumb {
+
+/// A picture of a surface.
+struct SurfacePicture {
+  HitImage image;
+  std::int64_t fragments = 0;  // that were tested, overdraw included
+};
+
+/// Draws a surface that is no mesh. `primitive` is the patch that each pixel shows.
+///
+///   (1) A function of the camera alone: the same bits on any number of threads.
+using SurfacePainter = std::function<SurfacePicture(const Camera& camera)>;
 
 /// A run of consecutive triangles that a report can name.
 struct Patch {
@@ -26,8 +40,12 @@ struct Patch {
 /// The mesh is shared, so that a method whose surface does not depend on the view hands out the one
 /// that it prepared. Patches are ordered by `first_triangle` and cover every triangle; an empty
 /// list is one patch. Every drawn surface claims coverage zero; the method need not say so.
+///
+/// A surface of slices is no mesh: it has a painter in its place, patch k is "triangle" k of one
+/// triangle, and what is said of triangles here is said of patches.
 struct DrawnSurface {
   std::shared_ptr<const TriangleMesh> mesh;
+  SurfacePainter painter;  // where `mesh` is null
   /// Of `mesh`, where one mesh serves many cameras; null where each has its own.
   std::shared_ptr<const MeshRuns> runs;
   std::vector<std::uint8_t>
@@ -37,6 +55,10 @@ struct DrawnSurface {
   Cost cost;
   std::vector<std::string> notes;  // what a user should know: bounds out of reach, choices made
 
+  /// How many primitives a picture of it may name: triangles, or patches.
+  std::size_t primitive_count() const {
+    return mesh != nullptr ? mesh->triangles.size() : patches.size();
+  }
   /// `runs` if they are those of `mesh`, else null: somebody may have put another mesh in its
   /// place.
   const MeshRuns* usable_runs() const {

@@ -18,12 +18,14 @@ struct Avx2Lanes {
   static Real load(const double* from) { return _mm256_loadu_pd(from); }
   static Real load(const float* from) { return _mm256_cvtps_pd(_mm_loadu_ps(from)); }
   static void store(double* to, Real x) { _mm256_storeu_pd(to, x); }
+  static void store(float* to, Real x) { _mm_storeu_ps(to, _mm256_cvtpd_ps(x)); }
   static void store_whole(std::int32_t* to, Real x) {
     _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm256_cvttpd_epi32(x));
   }
 
   static Real least(Real a, Real b) { return _mm256_min_pd(a, b); }
   static Real greatest(Real a, Real b) { return _mm256_max_pd(a, b); }
+  static Real root(Real a) { return _mm256_sqrt_pd(a); }
   static Real magnitude(Real a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a); }
   static Real floor(Real x) { return _mm256_floor_pd(x); }
 

@@ -18,12 +18,14 @@ struct Avx512Lanes {
   static Real load(const double* from) { return _mm512_loadu_pd(from); }
   static Real load(const float* from) { return _mm512_cvtps_pd(_mm256_loadu_ps(from)); }
   static void store(double* to, Real x) { _mm512_storeu_pd(to, x); }
+  static void store(float* to, Real x) { _mm256_storeu_ps(to, _mm512_cvtpd_ps(x)); }
   static void store_whole(std::int32_t* to, Real x) {
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm512_cvttpd_epi32(x));
   }
 
   static Real least(Real a, Real b) { return _mm512_min_pd(a, b); }
   static Real greatest(Real a, Real b) { return _mm512_max_pd(a, b); }
+  static Real root(Real a) { return _mm512_sqrt_pd(a); }
   static Real magnitude(Real a) { return _mm512_abs_pd(a); }
   static Real floor(Real x) {
     return _mm512_roundscale_pd(x, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC);

@@ -22,6 +22,9 @@ struct Sse2Lanes {
     return _mm_cvtps_pd(_mm_castsi128_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(from))));
   }
   static void store(double* to, Real x) { _mm_storeu_pd(to, x); }
+  static void store(float* to, Real x) {
+    _mm_storel_epi64(reinterpret_cast<__m128i*>(to), _mm_castps_si128(_mm_cvtpd_ps(x)));
+  }
   /// Whole numbers of 32 bits to `to`.
   static void store_whole(std::int32_t* to, Real x) {
     _mm_storel_epi64(reinterpret_cast<__m128i*>(to), _mm_cvttpd_epi32(x));
@@ -29,6 +32,7 @@ struct Sse2Lanes {
 
   static Real least(Real a, Real b) { return _mm_min_pd(a, b); }
   static Real greatest(Real a, Real b) { return _mm_max_pd(a, b); }
+  static Real root(Real a) { return _mm_sqrt_pd(a); }
   static Real magnitude(Real a) { return _mm_andnot_pd(_mm_set1_pd(-0.0), a); }
   /// Largest integer <= x, for |x| < 2^51.
   static Real floor(Real x) {

@@ -3,6 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/check.h"
+#include "core/lanes_sse2.h"
+
 namespace plumb {
 namespace {
 
@@ -53,6 +56,32 @@ double cosine_series(double x) {
   return sum;
 }
 
+// reproducible_atan of two tangents in [-1, 1], step by step.
+__m128d atan_pair(__m128d tangent) {
+  using L = Sse2Lanes;
+  const __m128d one = L::all(1.0);
+  __m128d x = L::magnitude(tangent);
+  for (int k = 0; k < 3; ++k) x = x / (one + L::root(one + x * x));
+  const __m128d square = x * x;
+  __m128d sum = L::all(0.0);
+  for (int k = 9; k >= 1; --k) sum = square * (L::all((k & 1 ? -1.0 : 1.0) / (2 * k + 1)) + sum);
+  const __m128d angle = L::all(8.0) * (x + x * sum);
+  return L::choose(L::less(tangent, L::all(0.0)), L::all(-1.0) * angle, angle);
+}
+
+// reproducible_atan2 of two vectors.
+__m128d atan2_pair(__m128d y, __m128d x) {
+  using L = Sse2Lanes;
+  const __m128d zero = L::all(0.0), quarter = L::all(kPi / 2.0), half = L::all(kPi);
+  const auto steep = L::less(L::magnitude(x), L::magnitude(y));
+  const __m128d angle = atan_pair(L::choose(steep, x, y) / L::choose(steep, y, x));
+  const __m128d behind = L::choose(L::less(y, zero), angle - half, angle + half);
+  const __m128d flat = L::choose(L::less(zero, x), angle, behind);
+  const __m128d up = L::choose(L::less(zero, y), quarter, zero - quarter) - angle;
+  const auto none = L::both(L::equal(x, zero), L::equal(y, zero));
+  return L::choose(none, zero, L::choose(steep, up, flat));
+}
+
 }  // namespace
 
 double reproducible_sin(double angle_rad) {
@@ -95,6 +124,17 @@ double reproducible_atan2(double y, double x) {
   const double angle = reproducible_atan(y / x);
   if (x > 0.0) return angle;
   return y < 0.0 ? angle - kPi : angle + kPi;
+}
+
+void reproducible_atan2(std::span<const double> y, std::span<const double> x,
+                        std::span<double> angle_rad) {
+  using L = Sse2Lanes;
+  require(y.size() == x.size() && y.size() == angle_rad.size(),
+          "spans must have one length, got {}, {} and {}", y.size(), x.size(), angle_rad.size());
+  std::size_t k = 0;
+  for (; k + L::kCount <= y.size(); k += L::kCount)
+    L::store(&angle_rad[k], atan2_pair(L::load(&y[k]), L::load(&x[k])));
+  for (; k < y.size(); ++k) angle_rad[k] = reproducible_atan2(y[k], x[k]);
 }
 
 double reproducible_log(double x) {

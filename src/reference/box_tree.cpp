@@ -177,13 +177,14 @@ struct BoxTree::Scene {
   }
 
   void build(std::uint32_t count, const std::function<Box(std::uint32_t)>& box_of,
-             const std::string& instruction_set) {
+             const std::string& instruction_set, TreeBuild how) {
     const std::string config = instruction_set.empty() ? "" : "isa=" + instruction_set;
     device = rtcNewDevice(config.c_str());
     if (!device) throw std::runtime_error("Embree cannot start with '" + config + "'");
     rtcSetDeviceMemoryMonitorFunction(device, count_memory, &memory);
     scene = rtcNewScene(device);
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    if (how == TreeBuild::Quick) rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_LOW);
     const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
     BoxSource source{&box_of, middle, margin};
     rtcSetGeometryUserPrimitiveCount(geometry, count);
@@ -200,7 +201,7 @@ struct BoxTree::Scene {
 };
 
 BoxTree::BoxTree(std::uint32_t count, const std::function<Box(std::uint32_t)>& box_of,
-                 const std::string& instruction_set)
+                 const std::string& instruction_set, TreeBuild build)
     : scene_(std::make_unique<Scene>()) {
   require_instruction_set(instruction_set);
   if (count == 0) return;
@@ -216,7 +217,7 @@ BoxTree::BoxTree(std::uint32_t count, const std::function<Box(std::uint32_t)>& b
         return a;
       });
   scene_->place(all);
-  scene_->build(count, box_of, instruction_set);
+  scene_->build(count, box_of, instruction_set, build);
 }
 
 BoxTree::~BoxTree() = default;

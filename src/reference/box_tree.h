@@ -29,6 +29,9 @@ class RayVisitor {
   virtual double visit(std::uint32_t primitive, int ray) = 0;
 };
 
+/// How much work goes into a tree: a quick one suits few questions, each of which costs more.
+enum class TreeBuild { Careful, Quick };
+
 /// Embree's tree of boxes, in single precision, with a margin that makes its answers safe for
 /// arithmetic in double.
 ///
@@ -50,7 +53,7 @@ class BoxTree {
   /// Throws InputError if the tree cannot fit into memory, std::invalid_argument for another
   /// instruction set, std::runtime_error if Embree fails.
   BoxTree(std::uint32_t count, const std::function<Box(std::uint32_t)>& box_of,
-          const std::string& instruction_set = {});
+          const std::string& instruction_set = {}, TreeBuild build = TreeBuild::Careful);
   ~BoxTree();
   BoxTree(BoxTree&&) noexcept;
   BoxTree& operator=(BoxTree&&) noexcept;

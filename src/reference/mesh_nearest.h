@@ -14,6 +14,13 @@
 
 namespace plumb::reference {
 
+/// What is asked of a mesh.
+struct NearestQuery {
+  glm::dvec3 point_m;
+  double max_radius_m = std::numeric_limits<double>::infinity();
+  std::uint32_t near_triangle = kNoPrimitive;  // looked at first
+};
+
 /// Nearest points on a mesh: Embree's tree of boxes proposes triangles, double decides.
 ///
 ///   (1) No other point of the mesh is nearer by more than a few roundings of the coordinates;
@@ -37,6 +44,10 @@ class MeshNearest {
   NearestPoint nearest(const glm::dvec3& point_m,
                        double max_radius_m = std::numeric_limits<double>::infinity(),
                        std::uint32_t near_triangle = kNoPrimitive) const;
+  /// The same for up to kTogether points that lie side by side: one walk through the tree for all
+  /// of them.
+  void nearest_together(std::span<const NearestQuery> queries, std::span<NearestPoint> found) const;
+  static constexpr std::size_t kTogether = 32;
   /// The same for many points, in parallel.
   std::vector<NearestPoint> nearest(
       std::span<const glm::dvec3> points_m,

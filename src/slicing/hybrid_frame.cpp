@@ -6,6 +6,7 @@
 
 #include "core/parallel.h"
 #include "raster/rasteriser.h"
+#include "slicing/slice_raster.h"
 
 namespace plumb::slicing {
 namespace {
@@ -78,11 +79,13 @@ NodeMesh mesh_of_nodes(const SlicingTree& tree, const std::vector<std::uint32_t>
   return mesh.take();
 }
 
-HybridFrame draw_frame(const SlicingTree& tree, const SlicingCut& cut, const Camera& camera,
-                       const HeightLookup& heights) {
-  const NodeMesh polygons = mesh_of_nodes(tree, cut.polygons);
+HybridFrame draw_frame(const SlicingTree& tree, const SlicingCut& cut, const NodeMesh& polygons,
+                       const Camera& camera, const HeightLookup& heights, SliceRenderer renderer) {
   raster::RasterResult raster = raster::rasterise(polygons.mesh, camera);
-  SlicedImage slices = slice_rays(cut, relative_to(camera, tree.field().world_origin_m()), heights);
+  const Camera local = relative_to(camera, tree.field().world_origin_m());
+  const SlicedImage slices = renderer == SliceRenderer::Quads
+                                 ? rasterise_slices(cut, local, heights)
+                                 : slice_rays(cut, local, heights);
   HybridFrame frame;
   frame.slice_fragments = slices.fragments;
   frame.polygon_fragments = raster.fragments;

@@ -30,11 +30,16 @@ struct HybridFrame {
   std::int64_t triangles = 0, vertices = 0;
 };
 
-/// Slices by rays and polygons by the rasteriser, the nearer one of each pixel; of equal depths the
+/// Who draws slices: the ray-slicer, or the rasteriser as a graphics card would.
+enum class SliceRenderer { Rays, Quads };
+
+/// Slices and, by the rasteriser, polygons: the nearer one of each pixel; of equal depths the
 /// polygon.
 ///
-/// camera  in world coordinates
-HybridFrame draw_frame(const SlicingTree& tree, const SlicingCut& cut, const Camera& camera,
-                       const HeightLookup& heights);
+/// polygons  mesh_of_nodes(tree, cut.polygons)
+/// camera    in world coordinates
+HybridFrame draw_frame(const SlicingTree& tree, const SlicingCut& cut, const NodeMesh& polygons,
+                       const Camera& camera, const HeightLookup& heights,
+                       SliceRenderer renderer = SliceRenderer::Rays);
 
 }  // namespace plumb::slicing

@@ -107,7 +107,7 @@ class RaySlicer {
     if (!(met.t >= all_.begin && met.t <= all_.end) || !is_on_quad(bundle, axis, met.point_m))
       return false;
     ++tested;
-    if (!passes(bundle, kind, heights_, met.point_m)) return false;
+    if (!passes(bundle, kind, axis, heights_, ray, met)) return false;
     best = std::min(best, SliceHit{met.t, number});
     return true;
   }
@@ -128,7 +128,7 @@ SlicedImage slice_rays(const SlicingCut& cut, const Camera& camera, const Height
   parallel_for(camera.height_px, 4, [&](std::int64_t row) {
     const int y = static_cast<int>(row);
     for (int x = 0; x < camera.width_px; ++x) {
-      const SliceRay ray(camera.eye_m, ray_direction(camera, x + 0.5, y + 0.5));
+      const SliceRay ray(camera, x, y);
       std::int64_t met = 0;
       const SliceHit hit = slicer.cast(ray, met);
       tested[static_cast<std::size_t>(row)] += met;

@@ -11,14 +11,20 @@
 
 namespace plumb::slicing {
 
-/// A ray from the eye; t is the view depth.
+/// A ray from the eye through a pixel's centre; t is the view depth.
 struct SliceRay {
-  glm::dvec3 eye_m;      // relative to the terrain's origin
-  glm::dvec3 direction;  // of view depth one
-  glm::dvec3 inverse;    // of each coordinate of the direction; infinite where that is zero
+  glm::dvec3 eye_m;       // relative to the terrain's origin
+  glm::dvec3 direction;   // of view depth one
+  glm::dvec3 inverse;     // of each coordinate of the direction; infinite where that is zero
+  glm::dvec3 per_column;  // change of the direction from one pixel to the next, rightwards
+  glm::dvec3 per_row;     // and upwards
 
-  SliceRay(const glm::dvec3& eye, const glm::dvec3& way)
-      : eye_m(eye), direction(way), inverse(1.0 / way) {}
+  SliceRay(const Camera& camera, int x, int y)
+      : eye_m(camera.eye_m),
+        direction(ray_direction(camera, x + 0.5, y + 0.5)),
+        inverse(1.0 / direction),
+        per_column(camera.right / camera.gamma_h),
+        per_row(camera.up / camera.gamma_v) {}
 };
 
 /// A fragment of a slice.
@@ -58,11 +64,29 @@ inline bool is_on_quad(const SliceBundle& bundle, Axis axis, const glm::dvec3& p
 
 enum class QuadKind { Slice, Closing };
 
+/// How many samples' distances the pixel spans on the plane, in its longer direction, as a texture
+/// unit asks for its level: one pixel further the ray meets the plane t (c - d c_n / d_n) further,
+/// c the change of the direction d.
+inline double texels_of(const SliceRay& ray, Axis axis, double t, const HeightLookup& heights) {
+  const int n = index_of(axis);
+  double most_squared = 0.0;
+  for (const glm::dvec3& change : {ray.per_column, ray.per_row}) {
+    const glm::dvec3 along = t * (change - ray.direction * (change[n] * ray.inverse[n]));
+    const double u = along.x * heights.columns_per_m(), v = along.y * heights.rows_per_m();
+    most_squared = std::max(most_squared, u * u + v * v);
+  }
+  return std::sqrt(most_squared);
+}
+
 /// A fragment's test: at or below the terrain.
-inline bool passes(const SliceBundle& bundle, QuadKind kind, const HeightLookup& heights,
-                   const glm::dvec3& p) {
+inline bool passes(const SliceBundle& bundle, QuadKind kind, Axis axis, const HeightLookup& heights,
+                   const SliceRay& ray, const PlanePoint& met) {
+  const glm::dvec3& p = met.point_m;
   const double raise_m = kind == QuadKind::Slice ? bundle.raise_m : bundle.closing_raise_m;
-  const double z = std::clamp(p.z - raise_m, bundle.least_z_m, bundle.greatest_z_m);
+  const double z =
+      heights.reference_m(std::clamp(p.z - raise_m, bundle.least_z_m, bundle.greatest_z_m));
+  if (heights.interpolation() == Interpolation::MipMapped)
+    return heights.mipmapped_m(p.x, p.y, texels_of(ray, axis, met.t, heights)) >= z;
   return heights.height_m(p.x, p.y) >= z;
 }
 

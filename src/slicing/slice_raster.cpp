@@ -50,12 +50,12 @@ SlicedImage rasterise_slices(const SlicingCut& cut, const Camera& camera,
   const SliceMesh slices = mesh_of_slices(cut);
   const auto keep = [&](raster::Fragment& fragment) {
     const SliceQuad& quad = slices.quads[fragment.primitive / 2];
-    const SliceRay ray(camera.eye_m, ray_direction(camera, fragment.x + 0.5, fragment.y + 0.5));
+    const SliceRay ray(camera, fragment.x, fragment.y);
     const PlanePoint met = meet_plane(ray, quad.axis, quad.at_m);
     if (!(met.t >= camera.near_m && met.t <= camera.far_m)) return false;
     fragment.depth_m = met.t;
     fragment.from_eye_m = met.t * ray.direction;
-    return passes(cut.bundles[quad.bundle], quad.kind, heights, met.point_m);
+    return passes(cut.bundles[quad.bundle], quad.kind, quad.axis, heights, ray, met);
   };
   raster::RasterResult raster = raster::rasterise(slices.mesh, camera, {}, keep);
   SlicedImage result;

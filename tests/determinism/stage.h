@@ -20,6 +20,7 @@ std::vector<Stage> raster_stages();
 std::vector<Stage> reference_stages();
 std::vector<Stage> report_stages();
 std::vector<Stage> mesh_stages();
+std::vector<Stage> slicing_stages();
 std::vector<Stage> audit_stages();
 
 /// Numbers that look random and are the same everywhere.

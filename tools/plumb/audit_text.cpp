@@ -32,16 +32,53 @@ Rows error_rows(const AuditResult& result) {
     rows.push_back({name, audit::short_number(d.max), audit::short_number(d.p99),
                     audit::short_number(d.rms), std::to_string(d.count)});
   };
-  add("sample error, m", result.samples.metres);
-  add("sample error in view, px", result.samples.pixels);
+  const auto add_of_mesh = [&](const char* name, const audit::Distribution& d) {
+    if (result.of_mesh) add(name, d);
+  };
+  add_of_mesh("sample error, m", result.samples.metres);
+  add_of_mesh("sample error in view, px", result.samples.pixels);
   add("pixel error, vertical, px", result.vertical);
-  add("  from the truth, px", result.reverse_vertical);
+  add_of_mesh("  from the truth, px", result.reverse_vertical);
   if (!result.nearest.forward_px.empty()) {
     add("pixel error, nearest, px", result.nearest.forward);
-    add("  from the truth, px", result.nearest.reverse);
+    add_of_mesh("  from the truth, px", result.nearest.reverse);
   }
   add("depth, relative", result.depth);
-  add("normals, degrees", result.normal_deg);
+  add_of_mesh("normals, degrees", result.normal_deg);
+  return rows;
+}
+
+Rows summary_rows(const AuditResult& result) {
+  const audit::Coverage& c = result.coverage;
+  const audit::Topology& t = result.topology;
+  const audit::AuditTimes& s = result.times;
+  Rows rows{{"coverage", fmt::format("{} holes, {} overshoots, {} see-through pixels", c.holes,
+                                     c.overshoots, c.see_through)}};
+  if (result.of_mesh) {
+    rows.push_back({"samples", fmt::format("{} with nothing drawn over them, {} voids drawn over",
+                                           result.samples.uncovered, result.samples.over_void)});
+    rows.push_back(
+        {"topology",
+         fmt::format("{} open edges, {} T-junctions, {} non-manifold, {} degenerate, {} folded",
+                     t.open_edges, t.t_junctions, t.non_manifold_edges + t.non_manifold_vertices,
+                     t.degenerate_triangles, t.folded_triangles)});
+  } else {
+    rows.push_back(
+        {"set aside", fmt::format("{} pixels whose rays get below the ground without crossing it",
+                                  result.pixels_set_aside)});
+  }
+  rows.push_back(
+      {"drawn", result.cost.slices > 0
+                    ? fmt::format("{} slices, {} triangles, {} fragments", result.cost.slices,
+                                  result.cost.triangles, result.cost.fragments)
+                    : fmt::format("{} triangles, {} fragments", result.cost.triangles,
+                                  result.cost.fragments)});
+  rows.push_back({"patches", fmt::format("{} claims of their own judged, {} broken",
+                                         result.patch_claims, result.patch_claims_broken)});
+  rows.push_back(
+      {"time",
+       fmt::format("prepare {:.3f} s, draw {:.3f}, raster {:.3f}, truth {:.3f}, measures {:.3f}",
+                   s.prepare_s, s.draw_s, s.raster_s, s.truth_s, s.measure_s)});
   return rows;
 }
 
@@ -60,26 +97,7 @@ std::string audit_text(const AuditResult& result) {
           text_table({{"error"}, {"max", true}, {"p99", true}, {"RMS", true}, {"of", true}},
                      error_rows(result)) +
           "\n";
-  const audit::Coverage& c = result.coverage;
-  const audit::Topology& t = result.topology;
-  const audit::AuditTimes& s = result.times;
-  text += text_table(
-      {{""}, {""}},
-      {{"coverage", fmt::format("{} holes, {} overshoots, {} see-through pixels", c.holes,
-                                c.overshoots, c.see_through)},
-       {"samples", fmt::format("{} with nothing drawn over them, {} voids drawn over",
-                               result.samples.uncovered, result.samples.over_void)},
-       {"topology",
-        fmt::format("{} open edges, {} T-junctions, {} non-manifold, {} degenerate, {} folded",
-                    t.open_edges, t.t_junctions, t.non_manifold_edges + t.non_manifold_vertices,
-                    t.degenerate_triangles, t.folded_triangles)},
-       {"drawn",
-        fmt::format("{} triangles, {} fragments", result.cost.triangles, result.cost.fragments)},
-       {"patches", fmt::format("{} claims of their own judged, {} broken", result.patch_claims,
-                               result.patch_claims_broken)},
-       {"time",
-        fmt::format("prepare {:.3f} s, draw {:.3f}, raster {:.3f}, truth {:.3f}, measures {:.3f}",
-                    s.prepare_s, s.draw_s, s.raster_s, s.truth_s, s.measure_s)}});
+  text += text_table({{""}, {""}}, summary_rows(result));
   for (const audit::Offender& o : result.offenders) {
     if (result.holds() || o.x < 0) continue;
     text += fmt::format("worst: {} {} at pixel ({}, {}), world ({:.8g}, {:.8g}, {:.7g}){}\n",

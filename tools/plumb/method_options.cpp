@@ -21,7 +21,6 @@ MethodRequest method_request(const MethodOptions& options) {
   MethodRequest request;
   request.method = &audit::find_method(audit::built_in_methods(), options.method);
   request.choice.variant = options.variant;
-  request.variant = options.variant.empty() ? request.method->variants.front() : options.variant;
   request.tolerance = parse_tolerance(options.tolerance);
   for (const std::string& text : options.parameters) {
     const std::size_t equals = text.find('=');
@@ -29,6 +28,8 @@ MethodRequest method_request(const MethodOptions& options) {
       input_error("--set '{}': expected NAME=VALUE", text);
     request.choice.parameters[text.substr(0, equals)] = text.substr(equals + 1);
   }
+  request.choice = audit::resolved_choice(*request.method, std::move(request.choice));
+  request.variant = request.choice.variant;
   return request;
 }
 

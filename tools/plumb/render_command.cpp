@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "audit/audit_page.h"
 #include "audit/picture.h"
 #include "audit/ply_file.h"
 #include "audit/scene_picture.h"
@@ -124,6 +125,8 @@ std::string render_text(const audit::DrawnScene& drawn, const std::vector<std::s
   if (drawn.surface.mesh != nullptr) {
     rows.push_back({"mesh", fmt::format("{} vertices, {} triangles, {} fragments", cost.vertices,
                                         cost.triangles, cost.fragments)});
+  } else if (drawn.surface.painter) {
+    rows.push_back({"drawn", audit::drawn_text(cost)});
   }
   for (const std::string& note : drawn.surface.notes) rows.push_back({"note", note});
   for (const std::string& file : files) rows.push_back({"written", file});

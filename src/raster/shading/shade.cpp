@@ -78,7 +78,8 @@ struct Shader {
 
   glm::dvec3 surface(const glm::dvec3& from_eye_m, glm::dvec3 normal, double depth_m) const {
     const glm::dvec3 world_m = camera.eye_m + from_eye_m;
-    if (glm::dot(normal, from_eye_m) > 0.0) normal = -normal;  // the side that is seen
+    if (options.two_sided && glm::dot(normal, from_eye_m) > 0.0)
+      normal = -normal;  // the side that is seen
     const double sun = std::max(0.0, glm::dot(normal, light));
     const double sky = 0.5 + 0.5 * normal.z;
     const double ambient = options.light.ambient;

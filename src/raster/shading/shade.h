@@ -43,6 +43,9 @@ struct ShadeOptions {
   double high_m = 1.0;  // and of the highest; where not above low_m, everything has the lowest
   Drape drape;          // in place of the tint where it has a picture
   double haze_m = std::numeric_limits<double>::infinity();  // depth at which half is horizon, > 0
+  /// Turns normals to the side that is seen, as a sheet of triangles wants it; false for a solid,
+  /// whose every point is lit as the ground there.
+  bool two_sided = true;
 };
 
 /// Linear colour of a height: green at 0, through yellow and brown to white at 1; clamped.
@@ -58,7 +61,7 @@ std::vector<glm::dvec3> flat_normals(const TriangleMesh& mesh, const HitImage& h
 
 /// The picture in linear light.
 ///
-/// normals  one a pixel, unit; either side of the surface is lit alike
+/// normals  one a pixel, unit; either side of the surface is lit alike where it has two
 ///
 ///   (1) Same bits on any number of threads.
 ///   (2) Pixels without a hit show the sky of their own direction.

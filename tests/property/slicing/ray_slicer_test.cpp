@@ -31,7 +31,7 @@ SliceHit by_trying_all(const SlicingCut& cut, const HeightLookup& heights, const
       if (ray.direction[index_of(axis)] == 0.0) return;
       const PlanePoint met = meet_plane(ray, axis, at_m);
       if (!(met.t >= near_m) || !is_on_quad(bundle, axis, met.point_m)) return;
-      if (passes(bundle, kind, heights, met.point_m))
+      if (passes(bundle, kind, axis, heights, ray, met))
         best = std::min(best, SliceHit{met.t, number});
     };
     for (int j = 0; j < bundle.count; ++j) quad(QuadKind::Slice, bundle.axis, bundle.plane_m(j));
@@ -56,12 +56,12 @@ TEST(RaySlicer, SeesWhatALoopOverEveryPlaneSees) {
     const CutOptions options = test_support::random_cut_options(random);
     const SlicingCut cut = cut_tree(tree, camera, options);
     const HeightLookup heights(field, Diagonal::Alternating,
-                               static_cast<Interpolation>(random.integer(0, 2)));
+                               static_cast<Interpolation>(random.integer(0, 4)));
     const SlicedImage sliced = slice_rays(cut, camera, heights);
     std::int64_t fragments = 0;
     for (int y = 0; y < camera.height_px; ++y) {
       for (int x = 0; x < camera.width_px; ++x) {
-        const SliceRay ray(camera.eye_m, ray_direction(camera, x + 0.5, y + 0.5));
+        const SliceRay ray(camera, x, y);
         const SliceHit expected = by_trying_all(cut, heights, ray, camera.near_m);
         const std::size_t pixel = sliced.image.index(x, y);
         ASSERT_EQ(sliced.image.depth_m[pixel], expected.t) << round << ": " << x << ", " << y;
@@ -112,7 +112,8 @@ TEST(HybridFrame, KeepsItsPromiseWhereItDraws) {
     options.variant = Variant::Conservative;
     const SlicingCut cut = cut_tree(tree, local, options);
     const HeightLookup heights(field, Diagonal::Alternating);
-    const HybridFrame frame = draw_frame(tree, cut, camera, heights);
+    const HybridFrame frame =
+        draw_frame(tree, cut, mesh_of_nodes(tree, cut.polygons), camera, heights);
     const HitImage truth =
         reference::PyramidCaster(field, Diagonal::Alternating).cast_frame(camera);
     for (std::size_t pixel = 0; pixel < frame.image.size(); ++pixel) {
@@ -151,8 +152,8 @@ TEST(HybridFrame, LeavesNoHoles) {
     options.variant = Variant::Conservative;
     options.tolerance_px = 1.0;
     const SlicingCut cut = cut_tree(tree, relative_to(camera, field.world_origin_m()), options);
-    const HybridFrame frame =
-        draw_frame(tree, cut, camera, HeightLookup(field, Diagonal::Alternating));
+    const HybridFrame frame = draw_frame(tree, cut, mesh_of_nodes(tree, cut.polygons), camera,
+                                         HeightLookup(field, Diagonal::Alternating));
     const HitImage truth =
         reference::PyramidCaster(field, Diagonal::Alternating).cast_frame(camera);
     for (int y = 1; y + 1 < camera.height_px; ++y) {
@@ -188,8 +189,8 @@ TEST(HybridFrame, NeedsOnePlaneForLevelGround) {
     options.hybrid = false;
     const SlicingCut cut = cut_tree(tree, camera, options);
     EXPECT_GT(cut.bundles.size(), 0u);
-    const HybridFrame frame =
-        draw_frame(tree, cut, camera, HeightLookup(field, Diagonal::Alternating));
+    const HybridFrame frame = draw_frame(tree, cut, mesh_of_nodes(tree, cut.polygons), camera,
+                                         HeightLookup(field, Diagonal::Alternating));
     for (const SliceBundle& bundle : cut.bundles) EXPECT_EQ(bundle.count, 1);
     for (std::size_t pixel = 0; pixel < frame.image.size(); ++pixel) {
       ASSERT_TRUE(frame.image.hit(pixel));

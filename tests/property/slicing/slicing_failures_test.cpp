@@ -55,7 +55,8 @@ Finding draw(const Heightfield& field, const Camera& camera, Variant variant, bo
   options.hybrid = hybrid;
   const SlicingCut cut = cut_tree(tree, camera, options);
   const HeightLookup heights(field, Diagonal::Alternating);
-  const HitImage drawn = draw_frame(tree, cut, camera, heights).image;
+  const HitImage drawn =
+      draw_frame(tree, cut, mesh_of_nodes(tree, cut.polygons), camera, heights).image;
   const HitImage truth = reference::PyramidCaster(field, Diagonal::Alternating).cast_frame(camera);
   Finding found;
   for (int y = 0; y < camera.height_px; ++y) {

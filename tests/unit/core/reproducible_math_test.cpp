@@ -2,8 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <span>
+#include <stdexcept>
+#include <vector>
 
 namespace plumb {
 namespace {
@@ -45,6 +50,30 @@ TEST(ReproducibleMath, KnowsTheQuadrants) {
   EXPECT_DOUBLE_EQ(reproducible_atan2(0.0, -1.0), kPi);
   EXPECT_DOUBLE_EQ(reproducible_atan2(-1.0, -1.0), -0.75 * kPi);
   EXPECT_EQ(reproducible_atan2(0.0, 0.0), 0.0);
+}
+
+TEST(ReproducibleMath, GivesTheSameBitsForManyAnglesAsForOne) {
+  std::vector<double> y, x;
+  const double edges[] = {0.0, -0.0, 1.0, -1.0, 5e-324, -5e-324, 1e300, -1e300, 0.3};
+  for (const double a : edges) {
+    for (const double b : edges) {
+      y.push_back(a);
+      x.push_back(b);
+    }
+  }
+  for (int k = 0; k < 2000; ++k) {
+    y.push_back(reproducible_sin(0.7 * k) * (1 + k % 7));
+    x.push_back(reproducible_cos(1.3 * k) * (1 + k % 5));
+  }
+  std::vector<double> angles(y.size());  // an odd number: the last is alone
+  ASSERT_EQ(angles.size() % 2, 1u);
+  reproducible_atan2(y, x, angles);
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(angles[k]),
+              std::bit_cast<std::uint64_t>(reproducible_atan2(y[k], x[k])))
+        << y[k] << ' ' << x[k];
+  }
+  EXPECT_THROW(reproducible_atan2(y, x, std::span(angles).first(3)), std::invalid_argument);
 }
 
 TEST(ReproducibleMath, IsExactWhereItCanBe) {

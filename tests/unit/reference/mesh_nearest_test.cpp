@@ -69,6 +69,47 @@ TEST(MeshNearest, OfAMeshWithoutTrianglesIsNothing) {
   EXPECT_FALSE(MeshNearest(mesh).nearest({1.0, 2.0, 3.0}));
 }
 
+// Points that lie together, far apart, on the mesh, with and without a radius and a first guess:
+// the walk that they share loses no triangle that one alone finds.
+TEST(MeshNearest, GivesTogetherTheBitsOfEachAlone) {
+  Random random(11);
+  int found_ones = 0, crowded = 0;
+  for (int scene = 0; scene < 60; ++scene) {
+    const terrain::Heightfield field = test_support::random_heightfield(random);
+    const TriangleMesh mesh = test_support::mesh_of(field, terrain::Diagonal::Alternating);
+    const MeshNearest nearest(mesh);
+    const Box box = bounds(mesh);
+    const glm::dvec3 size = box.high - box.low;
+    for (int group = 0; group < 20; ++group) {
+      const double spread = random.chance(0.3) ? 1.0 : 0.02;
+      crowded += spread == 1.0 && mesh.triangles.size() > 128;
+      const glm::dvec3 middle =
+          box.low +
+          size * glm::dvec3(random.uniform(0, 1), random.uniform(0, 1), random.uniform(-1, 2));
+      std::vector<NearestQuery> queries(static_cast<std::size_t>(random.integer(1, 32)));
+      for (NearestQuery& query : queries) {
+        for (int axis = 0; axis < 3; ++axis) {
+          query.point_m[axis] =
+              middle[axis] + spread * std::max(1.0, size[axis]) * random.uniform(-1, 1);
+        }
+        if (random.chance(0.7)) query.max_radius_m = random.uniform(0, 0.1) * size.x;
+        if (random.chance(0.5) && !mesh.triangles.empty())
+          query.near_triangle = static_cast<std::uint32_t>(
+              random.integer(0, static_cast<int>(mesh.triangles.size()) - 1));
+      }
+      std::vector<NearestPoint> together(queries.size());
+      nearest.nearest_together(queries, together);
+      for (std::size_t k = 0; k < queries.size(); ++k) {
+        const NearestPoint alone = nearest.nearest(queries[k].point_m, queries[k].max_radius_m);
+        ASSERT_EQ(together[k], alone);
+        found_ones += static_cast<bool>(alone);
+      }
+    }
+  }
+  EXPECT_GT(found_ones, 1000);
+  EXPECT_GT(crowded, 10);
+}
+
 TEST(MeshNearest, AgreesToTheBitWithTryingAllTriangles) {
   Random random(5);
   for (int scene = 0; scene < 40; ++scene) {
@@ -124,6 +165,9 @@ TEST(MeshNearest, RefusesWhatIsNoQuestion) {
   const MeshNearest nearest(mesh);
   EXPECT_THROW(nearest.nearest({std::nan(""), 0.0, 0.0}), std::invalid_argument);
   EXPECT_THROW(nearest.nearest({0.0, 0.0, 0.0}, -1.0), std::invalid_argument);
+  const std::vector<NearestQuery> many(MeshNearest::kTogether + 1);
+  std::vector<NearestPoint> found(many.size());
+  EXPECT_THROW(nearest.nearest_together(many, found), std::invalid_argument);
   TriangleMesh broken = square();
   broken.triangles.push_back({0, 1, 7});
   EXPECT_THROW(MeshNearest{broken}, std::invalid_argument);

@@ -1,0 +1,54 @@
+#include "slicing/slicing_method.h"
+
+#include "scene.h"
+#include "stage.h"
+
+namespace plumb::determinism {
+namespace {
+
+std::uint64_t frames(const slicing::Parameters& parameters) {
+  const terrain::Heightfield field = hills();
+  const slicing::Prepared prepared =
+      slicing::prepare(field, terrain::Diagonal::Alternating, parameters);
+  Checksum sum;
+  for (const char* preset : {"oblique", "grazing"}) {
+    const Camera camera = camera_for(field, preset);
+    const DrawnSurface surface = slicing::draw(prepared, camera, {1.0, Unit::Pixel});
+    for (const Patch& patch : surface.patches) sum.add(patch.lod).add(std::string_view(patch.name));
+    sum.add(surface.cost.slices);
+    add(sum, surface.cost);
+    const SurfacePicture picture = surface.painter(camera);
+    sum.add(picture.fragments);
+    add(sum, picture.image);
+  }
+  return sum.value();
+}
+
+std::uint64_t conservative() { return frames({}); }
+
+std::uint64_t published() {
+  slicing::Parameters parameters;
+  parameters.variant = slicing::Variant::Published;
+  parameters.hybrid = false;
+  parameters.renderer = slicing::SliceRenderer::Quads;
+  return frames(parameters);
+}
+
+std::uint64_t looked_up(slicing::Interpolation heights) {
+  slicing::Parameters parameters;
+  parameters.variant = slicing::Variant::Published;
+  parameters.cut = slicing::CutChoice::Optimum;
+  parameters.heights = heights;
+  return frames(parameters);
+}
+
+}  // namespace
+
+std::vector<Stage> slicing_stages() {
+  return {{"slicing.conservative", conservative},
+          {"slicing.published", published},
+          {"slicing.eight_bit", [] { return looked_up(slicing::Interpolation::EightBit); }},
+          {"slicing.mip_mapped", [] { return looked_up(slicing::Interpolation::MipMapped); }}};
+}
+
+}  // namespace plumb::determinism

@@ -1,0 +1,137 @@
+// Surfaces without a mesh: what is measured of them, what is not, and what is set aside.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "audit/audit.h"
+#include "audit/set_aside.h"
+#include "audit/surface_picture.h"
+#include "core/check.h"
+#include "mesh/full/full_detail.h"
+#include "support/test_terrain.h"
+
+namespace plumb::audit {
+namespace {
+
+using Alter = std::function<void(HitImage&)>;
+
+// The full-detail surface as a painter's picture, with something done to it.
+class PaintedSurface : public testing::Test {
+ protected:
+  PaintedSurface() : field_(test_support::rough_terrain(129, 129, 3, 60.0)) {
+    field_.origin_m = {512345.0, 4512345.0};
+    look_.eye_m = field_.world_origin_m() + glm::dvec3(640, -200, 260);
+    look_.target_m = field_.world_origin_m() + glm::dvec3(640, 700, 20);
+    look_.width_px = 160;
+    look_.height_px = 90;
+  }
+
+  DrawnSurface painted(const Alter& alter = {}) const {
+    const DrawnSurface full = mesh::full::draw(mesh::full::prepare(field_), Camera{}, {});
+    DrawnSurface surface;
+    surface.patches = {{0, 1, 0, "west"}, {1, 1, 0, "east"}};
+    surface.claims = {{Measure::PixelError, 0.5, Unit::Pixel}};
+    surface.painter = [full, alter](const Camera& camera) {
+      SurfacePicture picture = picture_of(full, camera);
+      for (std::size_t k = 0; k < picture.image.size(); ++k) {
+        if (picture.image.hit(k))
+          picture.image.primitive[k] = static_cast<int>(k) % picture.image.width_px < 80 ? 0 : 1;
+      }
+      if (alter) alter(picture.image);
+      return picture;
+    };
+    return surface;
+  }
+
+  AuditResult audit(const DrawnSurface& surface, const AuditOptions& options = {}) const {
+    return audit_surface(HeightfieldTruth(field_, terrain::Diagonal::Alternating), surface,
+                         make_camera(look_), options);
+  }
+
+  terrain::Heightfield field_;
+  LookAt look_;
+};
+
+const ClaimResult& claim(const AuditResult& result, const std::string& label) {
+  return *std::find_if(result.claims.begin(), result.claims.end(),
+                       [&](const ClaimResult& c) { return c.label == label; });
+}
+
+TEST_F(PaintedSurface, ThatIsTheTruthHoldsAndHasNoMeasureOfAMesh) {
+  const AuditResult result = audit(painted());
+  EXPECT_TRUE(result.holds());
+  EXPECT_FALSE(result.of_mesh);
+  EXPECT_EQ(result.pixels_set_aside, 0);
+  EXPECT_GT(result.vertical.count, 3000);
+  EXPECT_LT(result.vertical.max, 0.01);
+  EXPECT_GT(result.depth.count, 3000);
+  EXPECT_EQ(result.samples.metres.count, 0);
+  EXPECT_EQ(result.normal_deg.count, 0);
+  EXPECT_EQ(result.topology.triangles, 0);
+  EXPECT_GT(result.cost.fragments, 3000);
+}
+
+TEST_F(PaintedSurface, ThatLacksAPixelHasAHoleInItsPatch) {
+  const AuditResult result = audit(painted([](HitImage& image) {
+    const std::size_t pixel = image.index(120, 70);
+    image.depth_m[pixel] = kNoHit;
+    image.from_eye_m[pixel] = glm::dvec3(0.0);
+    image.primitive[pixel] = kNoPrimitive;
+  }));
+  EXPECT_FALSE(result.holds());
+  EXPECT_EQ(result.coverage.holes, 1);
+  ASSERT_FALSE(result.offenders.empty());
+  EXPECT_EQ(result.offenders[0].what, "hole");
+  EXPECT_EQ(result.offenders[0].x, 120);
+  EXPECT_EQ(result.offenders[0].patch_name, "east");
+}
+
+// A point that is drawn farther along its ray, below the ground, was seen through it.
+TEST_F(PaintedSurface, ThatIsDrawnTooDeepBreaksItsClaimThere) {
+  const AuditResult result = audit(painted([](HitImage& image) {
+    const std::size_t pixel = image.index(30, 70);
+    image.depth_m[pixel] *= 1.05;
+    image.from_eye_m[pixel] *= 1.05;
+  }));
+  const ClaimResult& broken = claim(result, "pixel-error");
+  EXPECT_FALSE(broken.holds);
+  EXPECT_EQ(broken.violations, 1);
+  ASSERT_TRUE(broken.worst.has_value());
+  EXPECT_EQ(broken.worst->x, 30);
+  EXPECT_EQ(broken.worst->y, 70);
+  EXPECT_EQ(broken.worst->patch_name, "west");
+  EXPECT_EQ(result.pixels_set_aside, 0);
+}
+
+// From below the ground the truth shows its underside, and a solid shows what is next to the eye.
+TEST_F(PaintedSurface, IsNotJudgedWhereItsRaysBeginBelowTheGround) {
+  look_.eye_m = field_.world_origin_m() + glm::dvec3(640, 640, -300);
+  look_.target_m = field_.world_origin_m() + glm::dvec3(640, 700, 20);
+  const AuditResult solid = audit(painted([&](HitImage& image) {
+    for (std::size_t k = 0; k < image.size(); ++k) {
+      if (!image.hit(k)) continue;
+      image.from_eye_m[k] /= image.depth_m[k];
+      image.depth_m[k] = 1.0;
+    }
+  }));
+  EXPECT_GT(solid.pixels_set_aside, 3000);
+  EXPECT_EQ(solid.vertical.count, 0);
+  EXPECT_EQ(solid.coverage.defect_count(), 0);
+  EXPECT_TRUE(solid.holds());
+}
+
+TEST_F(PaintedSurface, RefusesLimitsThatOnlyAMeshHas) {
+  AuditOptions options;
+  for (const char* limit : {"sample-error=1m", "surface-error=1px", "topology=0",
+                            "reverse-pixel-error=1px", "uncovered-samples=0"}) {
+    options.limits = {parse_limit(limit)};
+    EXPECT_THROW(audit(painted(), options), InputError) << limit;
+  }
+  options.limits = {parse_limit("nearest-error=1px"), parse_limit("pixel-error=1px")};
+  EXPECT_TRUE(audit(painted(), options).holds());
+  EXPECT_THROW(picture_of({}, make_camera(look_)), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace plumb::audit
