@@ -15,8 +15,11 @@ namespace plumb::audit {
 /// sees the solid at once and the sheet from below, or never. Such pixels say nothing about the
 /// method.
 ///
-/// returns 1 for a pixel whose drawn point lies below the ground and before the truth's, or whose
-/// truth shows the underside of a triangle
+/// returns 1 for a pixel whose truth shows the underside of a triangle, and for one whose drawn
+/// point lies below the ground and whose ray, followed back from there, does not come out through
+/// a triangle: it lies before the truth's, or, on a terrain with voids, a ray cast back meets none
+/// from below. (A surface that is lowered within its tolerance may let a ray pass where the truth
+/// stops it, and what lies behind may be void.)
 std::vector<std::uint8_t> rays_below_ground(const HeightfieldTruth& truth,
                                             const HitImage& true_hits, const HitImage& drawn,
                                             const Camera& camera);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "audit/audit.h"
 #include "audit/set_aside.h"
@@ -119,6 +120,35 @@ TEST_F(PaintedSurface, IsNotJudgedWhereItsRaysBeginBelowTheGround) {
   EXPECT_EQ(solid.vertical.count, 0);
   EXPECT_EQ(solid.coverage.defect_count(), 0);
   EXPECT_TRUE(solid.holds());
+}
+
+// A ridge, and behind it flat ground, with a gap in it or without. A ray that is let pass below the
+// ridge's top comes below the ground through the gap, or through the ground itself.
+TEST_F(PaintedSurface, IsNotJudgedBehindAVoidThatALoweredRidgeLetsItsRayReach) {
+  for (const bool gap : {true, false}) {
+    field_ = terrain::Heightfield();
+    field_.heights_m = Grid<float>(65, 65, 0.0f);
+    field_.dx_m = field_.dy_m = 10.0;
+    for (int i = 0; i < 65; ++i) {
+      field_.heights_m(i, 20) = 50.0f;
+      for (int j = 30; gap && j < 40; ++j)
+        field_.heights_m(i, j) = std::numeric_limits<float>::quiet_NaN();
+    }
+    look_.eye_m = {320.0, 0.0, 100.0};
+    look_.target_m = {320.0, 200.0, 49.5};  // the middle of the picture, just below the ridge's top
+    look_.width_px = 161;
+    look_.height_px = 91;
+    const AuditResult result = audit(painted([&](HitImage& image) {
+      const std::size_t pixel = image.index(80, 45);
+      ASSERT_TRUE(image.hit(pixel));
+      const double farther = 450.0 / image.from_eye_m[pixel].y;
+      ASSERT_LT(100.0 + farther * image.from_eye_m[pixel].z, -5.0);
+      image.depth_m[pixel] *= farther;
+      image.from_eye_m[pixel] *= farther;
+    }));
+    EXPECT_EQ(result.pixels_set_aside, gap ? 1 : 0);
+    EXPECT_EQ(claim(result, "pixel-error").holds, gap) << gap;
+  }
 }
 
 TEST_F(PaintedSurface, RefusesLimitsThatOnlyAMeshHas) {
