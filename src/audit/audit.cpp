@@ -32,6 +32,13 @@ void require_consistent(const HitImage& true_hits, const DrawnSurface& surface,
   require(surface.triangle_lod.empty() || surface.triangle_lod.size() == surface.primitive_count(),
           "triangle_lod must have an entry for each of {} triangles, got {}",
           surface.primitive_count(), surface.triangle_lod.size());
+  require(surface.kinds.size() <= 6, "a surface has at most 6 kinds of patches, got {}",
+          surface.kinds.size());
+  for (const Patch& patch : surface.patches) {
+    require(surface.kinds.empty() ||
+                (patch.kind >= 0 && patch.kind < static_cast<int>(surface.kinds.size())),
+            "a patch must be of one of {} kinds, got {}", surface.kinds.size(), patch.kind);
+  }
 }
 
 // What only a mesh has: a height over each sample, edges, normals, and points for the truth to be

@@ -21,12 +21,8 @@ double pixel_bound(const AuditResult& result) {
 
 Shown shown_map(const std::string& file, const std::string& name, ErrorMap map,
                 const std::string& title) {
-  return {file,
-          name,
-          title + ", in pixels.",
-          std::move(map.picture),
-          std::move(map.legend),
-          std::move(map.both)};
+  return {
+      file, name, title + ".", std::move(map.picture), std::move(map.legend), std::move(map.both)};
 }
 
 std::vector<std::uint8_t> png_of(const image::Rgb8Image& picture) {
@@ -50,15 +46,27 @@ std::vector<Shown> gallery(const AuditResult& result, const AuditSubject& subjec
   shown.push_back({"difference.png", "difference", "Colours apart, four times as strong.",
                    difference_picture(true_picture, drawn)});
   shown.push_back({"summary.png", "", "", side_by_side({true_picture, drawn, errors.picture})});
-  shown.push_back(shown_map("pixel-error.png", "pixel error", std::move(errors), vertical));
+  shown.push_back(
+      shown_map("pixel-error.png", "pixel error", std::move(errors), vertical + ", in pixels"));
   if (!result.nearest.forward_px.empty()) {
     const std::string nearest = "Distance on screen to the nearest point of the truth";
     shown.push_back(shown_map("nearest-error.png", "nearest",
                               error_map(result, result.nearest.forward_px, nearest, bound),
-                              nearest));
+                              nearest + ", in pixels"));
   }
-  shown.push_back({"triangles.png", "triangles",
-                   "Each triangle outlined; the lighter, the coarser its level.",
+  if (!surface.kinds.empty()) {
+    const std::vector<std::uint16_t>& overdraw = result.drawn.overdraw;
+    const std::string fragments = "Fragments tested for each pixel";
+    shown.push_back({"boxes.png", "boxes", kinds_legend(surface), kinds_picture(result, surface)});
+    shown.push_back(shown_map(
+        "overdraw.png", "overdraw",
+        error_map(result, {overdraw.begin(), overdraw.end()}, fragments, 0.0, "fragments"),
+        fragments));
+  }
+  shown.push_back({result.of_mesh ? "triangles.png" : "levels.png",
+                   result.of_mesh ? "triangles" : "levels",
+                   result.of_mesh ? "Each triangle outlined; the lighter, the coarser its level."
+                                  : "Each patch outlined; the lighter, the coarser its level.",
                    triangles_picture(result, surface)});
   shown.push_back({"coverage.png", "coverage",
                    "Dark: must be terrain; light: must be sky; between: either. Red: hole; "

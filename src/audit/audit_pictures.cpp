@@ -129,6 +129,55 @@ image::Rgb8Image triangles_picture(const AuditResult& result, const DrawnSurface
   return picture;
 }
 
+namespace {
+
+// As people can tell them apart, those with weak red and green sight too (Okabe and Ito's).
+struct Named {
+  const char* name;
+  Colour colour;
+};
+constexpr Named kKindColours[] = {{"grey", {150, 150, 150}},   {"blue", {0, 114, 178}},
+                                  {"orange", {230, 159, 0}},   {"green", {0, 158, 115}},
+                                  {"purple", {204, 121, 167}}, {"yellow", {240, 228, 66}}};
+
+Colour darker(Colour c) {
+  return {static_cast<std::uint8_t>(c.r / 2), static_cast<std::uint8_t>(c.g / 2),
+          static_cast<std::uint8_t>(c.b / 2)};
+}
+
+}  // namespace
+
+image::Rgb8Image kinds_picture(const AuditResult& result, const DrawnSurface& surface) {
+  const HitImage& drawn = result.drawn;
+  image::Rgb8Image picture = blank(drawn.width_px, drawn.height_px);
+  const auto patch_at = [&](int x, int y) {
+    const std::uint32_t primitive = drawn.primitive[drawn.index(x, y)];
+    return primitive == kNoPrimitive ? -1 : patch_of(surface, primitive);
+  };
+  for (int y = 0; y < drawn.height_px; ++y) {
+    for (int x = 0; x < drawn.width_px; ++x) {
+      const int patch = patch_at(x, y);
+      if (patch < 0) {
+        paint(picture, x, y, {235, 235, 235});
+        continue;
+      }
+      const Colour colour =
+          kKindColours[surface.patches[static_cast<std::size_t>(patch)].kind].colour;
+      const bool outline =
+          (x > 0 && patch_at(x - 1, y) != patch) || (y > 0 && patch_at(x, y - 1) != patch);
+      paint(picture, x, y, outline ? darker(colour) : colour);
+    }
+  }
+  return picture;
+}
+
+std::string kinds_legend(const DrawnSurface& surface) {
+  std::string text;
+  for (std::size_t k = 0; k < surface.kinds.size(); ++k)
+    text += (k > 0 ? "; " : "") + surface.kinds[k] + " " + kKindColours[k].name;
+  return "Boxes outlined. Colours: " + text + ".";
+}
+
 image::Rgb8Image side_by_side(const std::vector<image::Rgb8Image>& pictures) {
   constexpr int kGap = 8;
   int width = 0, height = 0;
@@ -151,10 +200,11 @@ image::Rgb8Image side_by_side(const std::vector<image::Rgb8Image>& pictures) {
 }
 
 ErrorMap error_map(const AuditResult& result, const std::vector<float>& errors_px,
-                   const std::string& title, double limit_px) {
+                   const std::string& title, double limit_px, const std::string& unit) {
   const std::vector<double> values(errors_px.begin(), errors_px.end());
   report::HeatMapOptions options;
   options.title = title;
+  options.unit = unit;
   if (limit_px > 0.0) options.limit = limit_px;
   const int width = result.drawn.width_px, height = result.drawn.height_px;
   return {converted(report::heat_picture(width, height, values, options)),

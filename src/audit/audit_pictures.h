@@ -26,14 +26,20 @@ image::Rgb8Image coverage_picture(const AuditResult& result);
 /// The triangles as drawn: coloured by level where they have levels, each outlined in dark.
 image::Rgb8Image triangles_picture(const AuditResult& result, const DrawnSurface& surface);
 
+/// Which kind of patch each pixel shows, patches outlined, and what the colours mean; for surfaces
+/// that have kinds.
+image::Rgb8Image kinds_picture(const AuditResult& result, const DrawnSurface& surface);
+std::string kinds_legend(const DrawnSurface& surface);
+
 /// Pictures of one height next to each other, a few white pixels apart.
 image::Rgb8Image side_by_side(const std::vector<image::Rgb8Image>& pictures);
 
-/// A map of errors in pixels whose scale ends at `limit_px` (if positive) or at the largest error.
+/// A map of errors in pixels (or of what has another unit) whose scale ends at `limit_px` (if
+/// positive) or at the largest.
 struct ErrorMap {
   image::Rgb8Image picture, legend, both;
 };
 ErrorMap error_map(const AuditResult& result, const std::vector<float>& errors_px,
-                   const std::string& title, double limit_px);
+                   const std::string& title, double limit_px, const std::string& unit = "px");
 
 }  // namespace plumb::audit

@@ -33,6 +33,7 @@ struct Patch {
   std::uint32_t triangle_count = 0;
   int lod = 0;       // coarsest level in it, 0 is the finest
   std::string name;  // for people: where it is, in the method's own words
+  int kind = 0;      // of DrawnSurface::kinds
 };
 
 /// The surface that a method would draw for one camera, and what it promises about it.
@@ -51,6 +52,7 @@ struct DrawnSurface {
   std::vector<std::uint8_t>
       triangle_lod;  // level of each triangle, 0 the finest; empty if there are no levels
   std::vector<Patch> patches;
+  std::vector<std::string> kinds;  // of patches, up to six, for a picture; empty: all are alike
   std::vector<Claim> claims;
   Cost cost;
   std::vector<std::string> notes;  // what a user should know: bounds out of reach, choices made

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "core/grid.h"
+#include "slicing/plane_run.h"
 #include "terrain/heightfield.h"
 
 namespace plumb::slicing {
@@ -47,6 +49,9 @@ class HeightLookup {
   double reference_m(double z_m) const {
     return interpolation_ == Interpolation::EightBit ? from_eight_bits(to_eight_bits(z_m)) : z_m;
   }
+
+  /// The same for the ray-slicer's lanes; nothing where they cannot look heights up so.
+  std::optional<PlaneRunHeights> for_plane_runs() const;
 
   /// Sample distances a metre, along x and along y.
   double columns_per_m() const { return columns_per_m_; }

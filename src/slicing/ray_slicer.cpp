@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <optional>
 
 #include "core/parallel.h"
+#include "slicing/plane_run.h"
 
 namespace plumb::slicing {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kFewPlanes = 3;  // of which setting up lanes would cost more than it saves
 
 struct Interval {
   double begin, end;
@@ -38,7 +39,11 @@ Interval inside(const SliceRay& ray, const Box& box, Interval all) {
 class RaySlicer {
  public:
   RaySlicer(const SlicingCut& cut, const HeightLookup& heights, double near_m, double far_m)
-      : cut_(cut), heights_(heights), all_{near_m, far_m} {}
+      : cut_(cut),
+        heights_(heights),
+        all_{near_m, far_m},
+        meet_planes_(meet_planes(instruction_set())),
+        run_heights_(heights.for_plane_runs()) {}
 
   SliceHit cast(const SliceRay& ray, std::int64_t& tested) const {
     SliceHit best;
@@ -80,11 +85,45 @@ class RaySlicer {
     };
     const int low = std::max(0, plane_near(std::min(from, to)) - 1),
               high = std::min(bundle.count - 1, plane_near(std::max(from, to)) + 1);
+    if (run_heights_ && high - low >= kFewPlanes) {
+      meet_run(number, ray, step > 0.0 ? low : high, step > 0.0 ? 1.0 : -1.0, high - low + 1, best,
+               tested);
+      return;
+    }
     for (int k = 0; k <= high - low; ++k) {
       const int j = step > 0.0 ? low + k : high - k;
       if (meet_quad(number, QuadKind::Slice, bundle.axis, bundle.plane_m(j), ray, best, tested))
         return;
     }
+  }
+
+  // The same for many planes at once.
+  void meet_run(std::uint32_t number, const SliceRay& ray, int first, double step, int count,
+                SliceHit& best, std::int64_t& tested) const {
+    const SliceBundle& bundle = cut_.bundles[number];
+    PlaneRun run;
+    for (int k = 0; k < 3; ++k) {
+      run.eye_m[k] = ray.eye_m[k];
+      run.direction[k] = ray.direction[k];
+      run.low_m[k] = bundle.reach.low[k];
+      run.high_m[k] = bundle.reach.high[k];
+    }
+    run.axis = index_of(bundle.axis);
+    run.inverse = ray.inverse[run.axis];
+    run.first_plane = first;
+    run.step = step;
+    run.count = count;
+    run.first_m = bundle.first_m;
+    run.spacing_m = bundle.spacing_m;
+    run.near_t = all_.begin;
+    run.far_t = all_.end;
+    run.best_t = best.t;
+    run.raise_m = bundle.raise_m;
+    run.least_z_m = bundle.least_z_m;
+    run.greatest_z_m = bundle.greatest_z_m;
+    const PlaneRunEnd end = meet_planes_(run, *run_heights_);
+    tested += end.tested;
+    if (end.plane >= 0) best = std::min(best, SliceHit{end.t, number});
   }
 
   void meet_closing_quads(std::uint32_t number, const SliceRay& ray, SliceHit& best,
@@ -115,6 +154,8 @@ class RaySlicer {
   const SlicingCut& cut_;
   const HeightLookup& heights_;
   Interval all_;  // near and far
+  MeetPlanes meet_planes_;
+  std::optional<PlaneRunHeights> run_heights_;
 };
 
 }  // namespace

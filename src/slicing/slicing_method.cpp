@@ -18,9 +18,10 @@ class UsedNodes {
   UsedNodes(const SlicingTree& tree, const SlicingCut& cut) : tree_(tree) {
     patch_of_node_.assign(tree.count(), kNoPrimitive);
     for (const SliceBundle& bundle : cut.bundles) {
-      add(bundle.node, fmt::format("{} slices across {}", bundle.count, name_of(bundle.axis)));
+      add(bundle.node, fmt::format("{} slices across {}", bundle.count, name_of(bundle.axis)),
+          1 + index_of(bundle.axis));
     }
-    for (const std::uint32_t index : cut.polygons) add(index, "polygons");
+    for (const std::uint32_t index : cut.polygons) add(index, "polygons", 0);
   }
 
   std::vector<Patch> patches;
@@ -28,14 +29,15 @@ class UsedNodes {
   std::vector<std::uint32_t> take_patch_of_node() { return std::move(patch_of_node_); }
 
  private:
-  void add(std::uint32_t index, const std::string& what) {
+  void add(std::uint32_t index, const std::string& what, int kind) {
     const SlicingNode& node = tree_.node(index);
     const auto number = static_cast<std::uint32_t>(patches.size());
     const int lod = tree_.levels() - 1 - tree_.level_of(index);
     patch_of_node_[index] = number;
     patches.push_back(
         {number, 1, lod,
-         fmt::format("samples {}..{} x {}..{}, {}", node.i0, node.i1, node.j0, node.j1, what)});
+         fmt::format("samples {}..{} x {}..{}, {}", node.i0, node.i1, node.j0, node.j1, what),
+         kind});
     levels.push_back(static_cast<std::uint8_t>(lod));
   }
 
@@ -97,6 +99,7 @@ DrawnSurface draw(const Prepared& prepared, const Camera& camera, const Toleranc
   DrawnSurface surface;
   surface.patches = std::move(used.patches);
   surface.triangle_lod = std::move(used.levels);
+  surface.kinds = {"polygons", "slices across x", "slices across y", "slices across z"};
   surface.claims = {claim_of(parameters, tolerance.value)};
   surface.cost = cost_of(tree, *cut, *polygons);
   if (surface.claims[0].unreachable)

@@ -32,6 +32,44 @@ TEST(AuditCommand, HoldsForAMethodThatKeepsItsPromise) {
   }
 }
 
+TEST(AuditCommand, JudgesSlicesByWhatAPictureHas) {
+  for (const char* method : {"slicing", "hybrid-slicing"}) {
+    const CommandResult held =
+        run_plumb(with({"audit"}, {"--method", method, "--tolerance", "1px"}));
+    EXPECT_EQ(held.status, 0) << held.err;
+    EXPECT_NE(held.out.find("Every claim holds"), std::string::npos) << held.out;
+    EXPECT_NE(held.out.find(" slices, "), std::string::npos);
+    EXPECT_NE(held.out.find("set aside  0 pixels"), std::string::npos);
+    EXPECT_EQ(held.out.find("topology"), std::string::npos);
+  }
+  TemporaryFolder folder;
+  // The article's own rules do not keep what they promise.
+  const CommandResult broken = run_plumb(
+      {"audit", "generate:alpine?size=257&seed=3", "--size", "320x180", "--method", "slicing",
+       "--variant", "published", "--tolerance", "1px", "-o", folder.file("report"), "--json"});
+  EXPECT_EQ(broken.status, 1) << broken.err;
+  const json result = json::parse(broken.out);
+  EXPECT_EQ(result.at("claims").at(0).at("measure"), "pixel-error");
+  EXPECT_TRUE(result.at("errors").at("sample_m").is_null());
+  EXPECT_TRUE(result.at("topology").is_null());
+  EXPECT_GT(result.at("errors").at("pixel_vertical_px").at("count"), 1000);
+  EXPECT_EQ(result.at("coverage").at("set_aside"), 0);
+  EXPECT_TRUE(std::filesystem::exists(folder.file("report") + "/report.html"));
+}
+
+TEST(AuditCommand, RefusesWhatSlicesDoNotHave) {
+  const std::vector<std::vector<std::string>> wrong{
+      {"--tolerance", "5m"},          {"--tolerance", "0px"},    {"--limit", "topology=0"},
+      {"--set", "heights=cubic"},     {"--set", "leaf_cells=7"}, {"--set", "descend=0"},
+      {"--set", "profile=none.toml"}, {"--variant", "printed"}};
+  for (std::vector<std::string> options : wrong) {
+    options.insert(options.begin(), {"--method", "slicing"});
+    const CommandResult result = run_plumb(with({"audit"}, options));
+    EXPECT_EQ(result.status, 2) << options.back();
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+  }
+}
+
 TEST(AuditCommand, EndsWithOneIfALimitIsBroken) {
   const CommandResult result =
       run_plumb(with({"audit"}, {"--tolerance", "20px", "--limit", "pixel-error=0.01px"}));

@@ -51,5 +51,6 @@ Command truth_command();
 Command render_command();
 Command audit_command();
 Command golden_command();
+Command profile_command();
 
 }  // namespace plumb::tool

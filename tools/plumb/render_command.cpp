@@ -81,6 +81,8 @@ Target target_of(const RenderOptions& options) {
 // Returns the names of the files.
 std::vector<std::string> write_files(const RenderOptions& options, Target target,
                                      const audit::DrawnScene& drawn) {
+  if (!options.mesh.empty() && drawn.surface.mesh == nullptr)
+    input_error("--mesh '{}': {} draws no mesh", options.mesh, drawn.scene.method);
   std::vector<std::string> files;
   const auto written = [&](const fs::path& path) { return files.emplace_back(path.string()); };
   const fs::path output(options.output);

@@ -1,0 +1,160 @@
+// The article's figures in kind: triangles and slices over window sizes, the speed-up over brute
+// force by the cost model, the heuristic beside the optimum, and the ray-slicer beside the caster
+// of the truth. The terrain is bench_terrain()'s, as PLUMB_BENCH_TERRAIN names it.
+//
+//   slicing_bench [VIEWS]   views that each row is averaged over (50)
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+#include "bench_support.h"
+#include "core/reproducible_math.h"
+#include "core/screen_error.h"
+#include "core/stopwatch.h"
+#include "reference/pyramid_caster.h"
+#include "slicing/hybrid_frame.h"
+#include "slicing/ray_slicer.h"
+
+namespace plumb::bench {
+namespace {
+
+using slicing::CutOptions;
+using slicing::SlicingCut;
+using slicing::Variant;
+
+// A flight around the terrain, a little above its highest place, towards its middle.
+Camera flight(const terrain::Heightfield& field, int frame, int frames, int width, int height) {
+  const Box box = terrain::bounds(field);
+  const glm::dvec3 middle = field.world_origin_m() + 0.5 * (box.low + box.high),
+                   extent = box.high - box.low;
+  const double turn = 2.0 * kPi * frame / frames;
+  LookAt look;
+  look.eye_m = middle + glm::dvec3(0.4 * extent.x * reproducible_cos(turn),
+                                   0.4 * extent.y * reproducible_sin(turn), 0.6 * extent.z);
+  look.target_m = middle - glm::dvec3(0.0, 0.0, 0.5 * extent.z);
+  look.width_px = width;
+  look.height_px = height;
+  return make_camera(look);
+}
+
+struct Sums {
+  double triangles = 0.0, slices = 0.0, cost_s = 0.0, polygons_s = 0.0;
+  double ratio_to_optimum = 0.0, worst_to_optimum = 0.0;
+};
+
+double triangles_of(const slicing::SlicingTree& tree, const SlicingCut& cut) {
+  double triangles = 0.0;
+  for (const std::uint32_t index : cut.polygons) {
+    const slicing::SlicingNode& node = tree.node(index);
+    triangles += 2.0 * (node.i1 - node.i0) * (node.j1 - node.j0);
+  }
+  return triangles;
+}
+
+// Everything as polygons: what is drawn by brute force, whether seen or not.
+double brute_force_s(const slicing::SlicingTree& tree, const Camera& camera,
+                     const slicing::CostProfile& profile) {
+  double cost_s = 0.0;
+  for (std::uint32_t k = slicing::SlicingTree::first_of(tree.levels() - 1); k < tree.count(); ++k) {
+    const slicing::SlicingNode& node = tree.node(k);
+    if (node.empty()) continue;
+    slicing::BoxView view = view_of_box(node.box, camera, Variant::Conservative);
+    view.distance_m = std::max(view.distance_m, camera.near_m);
+    const bool seen = may_be_in_view(camera, node.box);
+    if (!seen) view.most_px = 0.0;
+    cost_s += cost_of_polygons_s(node, view, camera, profile);
+  }
+  return cost_s;
+}
+
+void table(const slicing::SlicingTree& tree, Variant variant, int views) {
+  std::printf("\n%s, GeForce2 MX: averages of %d views\n",
+              variant == Variant::Published ? "published" : "conservative", views);
+  std::printf(
+      "    window   triangles    slices  frames/s  brute force  speed-up  optimum x  worst\n");
+  const int windows[][2] = {{400, 300}, {512, 384}, {640, 480}, {800, 600}, {1024, 768}};
+  for (const auto& [width, height] : windows) {
+    Sums sums;
+    for (int frame = 0; frame < views; ++frame) {
+      const Camera camera = relative_to(flight(tree.field(), frame, views, width, height),
+                                        tree.field().world_origin_m());
+      CutOptions options;
+      options.variant = variant;
+      const SlicingCut cut = cut_tree(tree, camera, options);
+      const double ratio = cut.cost_s / optimal_cut(tree, camera, options).cost_s;
+      sums.triangles += triangles_of(tree, cut);
+      sums.slices += static_cast<double>(cut.slices);
+      sums.cost_s += cut.cost_s;
+      sums.polygons_s += brute_force_s(tree, camera, options.profile);
+      sums.ratio_to_optimum += ratio;
+      sums.worst_to_optimum = std::max(sums.worst_to_optimum, ratio);
+    }
+    std::printf("%5d x %-4d %9.0f %9.0f %9.1f %12.1f %9.2f %10.3f %6.2f\n", width, height,
+                sums.triangles / views, sums.slices / views, views / sums.cost_s,
+                views / sums.polygons_s, sums.polygons_s / sums.cost_s,
+                sums.ratio_to_optimum / views, sums.worst_to_optimum);
+    std::fflush(stdout);
+  }
+}
+
+template <class Work>
+double least_s(const Work& work) {
+  double least = 1e9;
+  for (int run = 0; run < 5; ++run) {
+    Stopwatch watch;
+    work();
+    least = std::min(least, watch.lap_s());
+  }
+  return least;
+}
+
+// Conservative at a pixel, 1280 x 720: the same view by rays through slices and through triangles.
+void beside_the_caster(const slicing::SlicingTree& tree) {
+  std::printf("\nconservative, 1 px, 1280 x 720, all threads, best of five\n");
+  std::printf(
+      "     view  caster s  slices s  times   fragments a pixel  hybrid s  times  "
+      "against slices  against polygons\n");
+  const reference::PyramidCaster caster(tree.field(), tree.diagonal());
+  const slicing::HeightLookup heights(tree.field(), tree.diagonal());
+  for (const char* view : {"oblique", "top", "grazing", "valley"}) {
+    const Camera camera = bench_camera(view, 1280, 720);
+    const Camera local = relative_to(camera, tree.field().world_origin_m());
+    CutOptions options;
+    options.hybrid = false;
+    const SlicingCut slices = cut_tree(tree, local, options);
+    const slicing::NodeMesh rest = mesh_of_nodes(tree, slices.polygons);
+    options.hybrid = true;
+    const SlicingCut hybrid = cut_tree(tree, local, options);
+    const slicing::NodeMesh polygons = mesh_of_nodes(tree, hybrid.polygons);
+    options.profile.pixels_per_s = 1e-3;  // no slice is worth it
+    const SlicingCut none = cut_tree(tree, local, options);
+    const slicing::NodeMesh all = mesh_of_nodes(tree, none.polygons);
+    slicing::HybridFrame frame;
+    const double caster_s = least_s([&] { caster.cast_frame(camera); });
+    const double slices_s =
+        least_s([&] { frame = draw_frame(tree, slices, rest, camera, heights); });
+    const double hybrid_s = least_s([&] { draw_frame(tree, hybrid, polygons, camera, heights); });
+    const double all_s = least_s([&] { draw_frame(tree, none, all, camera, heights); });
+    std::printf(
+        "%9s %9.3f %9.3f %6.1f %19.1f %9.3f %6.1f %14.0f%% %16.0f%%\n", view, caster_s, slices_s,
+        slices_s / caster_s,
+        static_cast<double>(frame.slice_fragments) / static_cast<double>(frame.image.size()),
+        hybrid_s, hybrid_s / caster_s, 100.0 * (1.0 - hybrid_s / slices_s),
+        100.0 * (1.0 - hybrid_s / all_s));
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+}  // namespace plumb::bench
+
+int main(int argc, char** argv) {
+  const int views = argc > 1 ? std::max(1, std::atoi(argv[1])) : 50;
+  setenv("PLUMB_BENCH_TERRAIN", "generate:alpine?size=1025", 0);
+  const plumb::slicing::SlicingTree tree(plumb::bench::bench_terrain(),
+                                         plumb::terrain::Diagonal::Alternating);
+  plumb::bench::table(tree, plumb::slicing::Variant::Published, views);
+  plumb::bench::table(tree, plumb::slicing::Variant::Conservative, views);
+  plumb::bench::beside_the_caster(tree);
+  return 0;
+}
