@@ -5,7 +5,6 @@
 #include <cmath>
 #include <map>
 
-#include "audit/grid_crossings.h"
 #include "audit/neighbourhood.h"
 #include "core/parallel.h"
 #include "core/screen_error.h"
@@ -31,6 +30,7 @@ class SecondLook {
         camera_(camera),
         local_(relative_to(camera, truth.field().world_origin_m())),
         band_(band),
+        walk_(truth, camera, band),
         radius_(radius),
         drawn_around_(neighbourhoods(drawn, radius + 1)) {}
 
@@ -75,38 +75,8 @@ class SecondLook {
   // it lets it slip below its rim, where it came over a void or from outside.
   bool may_pass(std::size_t pixel, const glm::dvec3& end) const {
     const glm::dvec3 met = local_.eye_m + true_hits_.from_eye_m[pixel];
-    return follow(met, end, Side::Below) != Way::Blocked ||
-           follow(met, local_.eye_m, Side::Above) == Way::Open;
-  }
-
-  enum class Way { Unknown, Open, Blocked };
-  enum class Side { Below, Above };
-
-  // Along a line to the first place without surface, which is Open, or the first that is farther
-  // from the truth on one side than the band, Blocked. Distance from triangles is linear between
-  // their edges.
-  Way follow(const glm::dvec3& from, const glm::dvec3& to, Side side) const {
-    Way way = Way::Unknown;
-    glm::dvec3 before = from;
-    GridCrossings(truth_.field(), truth_.diagonal()).between(from, to, [&](const glm::dvec3& at) {
-      if (way != Way::Unknown) return;
-      const glm::dvec3 middle = 0.5 * (before + at);
-      before = at;
-      if (std::isnan(truth_.height_at(middle.x, middle.y))) {
-        way = Way::Open;
-      } else if (is_beyond_band(at, side)) {
-        way = Way::Blocked;
-      }
-    });
-    return way;
-  }
-
-  bool is_beyond_band(const glm::dvec3& point, Side side) const {
-    const double height = truth_.height_at(point.x, point.y);
-    const double off = side == Side::Below ? height - point.z : point.z - height;
-    if (!(off > truth_.slack_m) || off <= band_.metres) return false;
-    return screen_displacement_px(local_, {point.x, point.y, height}, kUp, point.z - height) >
-           band_.pixels * (1.0 + kSameDepth);
+    return walk_.follow(met, end, BandWalk::Side::Below) != BandWalk::Way::Blocked ||
+           walk_.follow(met, local_.eye_m, BandWalk::Side::Above) == BandWalk::Way::Open;
   }
 
   // A point of the pixel's ray beyond the terrain.
@@ -159,6 +129,7 @@ class SecondLook {
   const Camera& camera_;
   Camera local_;
   Band band_;
+  BandWalk walk_;
   int radius_;
   Neighbourhoods drawn_around_;
 };

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "audit/band_walk.h"
 #include "audit/truth.h"
 #include "core/camera.h"
 #include "core/drawn_surface.h"
@@ -45,12 +46,6 @@ struct Coverage {
       listed;  // the first of each kind, row by row, at most `most_listed` of a kind
 
   std::int64_t defect_count() const { return holes + overshoots + see_through; }
-};
-
-/// How far silhouettes may move: the tolerance that the surface was asked to keep.
-struct Band {
-  double pixels = 1.0;  // at least one counts
-  double metres = 0.0;  // vertical
 };
 
 /// Compares what is drawn with what the truth demands.

@@ -2,8 +2,10 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "core/parallel.h"
 
@@ -35,14 +37,16 @@ bool meets_underside(const HeightfieldTruth& truth, std::uint32_t triangle,
 
 std::vector<std::uint8_t> rays_below_ground(const HeightfieldTruth& truth,
                                             const HitImage& true_hits, const HitImage& drawn,
-                                            const Camera& camera) {
+                                            const Camera& camera, const Band& band) {
   const glm::dvec3 eye = camera.eye_m - truth.field().world_origin_m();
   const bool with_voids = has_voids(truth.field());
   std::vector<std::uint8_t> set_aside(drawn.size(), 0);
-  // Whether the ground was crossed on the way to a point below it.
+  const BandWalk walk(truth, camera, band);
+  // Whether the ground was crossed on the way to a point below it, and not beside a rim.
   const auto came_through = [&](const glm::dvec3& point, const glm::dvec3& ray) {
     const reference::RayHit out = truth.caster.cast({point, -ray, 0.0, 1.0});
-    return out && meets_underside(truth, out.triangle, -ray);
+    return out && meets_underside(truth, out.triangle, -ray) &&
+           walk.follow(point - out.t * ray, eye, BandWalk::Side::Above) != BandWalk::Way::Open;
   };
   parallel_for(static_cast<std::int64_t>(drawn.size()), 1024, [&](std::int64_t k) {
     const auto pixel = static_cast<std::size_t>(k);
@@ -55,8 +59,12 @@ std::vector<std::uint8_t> rays_below_ground(const HeightfieldTruth& truth,
     if (!drawn.hit(pixel) || (!before && !with_voids)) return;
     const glm::dvec3& ray = drawn.from_eye_m[pixel];
     const glm::dvec3 point = eye + ray;
-    if (!(truth.height_at(point.x, point.y) - point.z > truth.slack_m)) return;
-    set_aside[pixel] = before || !came_through(point, ray);
+    // A drawn point is a sum of the eye and a ray, rounded at their length a few times over.
+    const double rounding_m = 8.0 * std::numeric_limits<double>::epsilon() *
+                              std::max({std::abs(ray.x), std::abs(ray.y), std::abs(ray.z)});
+    if (!(truth.height_at(point.x, point.y) - point.z > truth.slack_m + rounding_m)) return;
+    set_aside[pixel] =
+        before || (walk.is_beyond(point, BandWalk::Side::Below) && !came_through(point, ray));
   });
   return set_aside;
 }

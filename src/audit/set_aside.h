@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "audit/band_walk.h"
 #include "audit/truth.h"
 #include "core/camera.h"
 #include "core/hit_image.h"
@@ -16,13 +17,13 @@ namespace plumb::audit {
 /// method.
 ///
 /// returns 1 for a pixel whose truth shows the underside of a triangle, and for one whose drawn
-/// point lies below the ground and whose ray, followed back from there, does not come out through
-/// a triangle: it lies before the truth's, or, on a terrain with voids, a ray cast back meets none
-/// from below. (A surface that is lowered within its tolerance may let a ray pass where the truth
-/// stops it, and what lies behind may be void.)
+/// point lies below the ground and whose ray did not get there through a triangle. That is so if it
+/// lies before the truth's; and, on a terrain with voids, if it lies below the band and a ray cast
+/// back from it comes out through no triangle, or so near to a void's rim that a surface within the
+/// band lets it slip below.
 std::vector<std::uint8_t> rays_below_ground(const HeightfieldTruth& truth,
                                             const HitImage& true_hits, const HitImage& drawn,
-                                            const Camera& camera);
+                                            const Camera& camera, const Band& band);
 
 /// The picture without the pixels that are set aside.
 HitImage without(HitImage picture, const std::vector<std::uint8_t>& set_aside);

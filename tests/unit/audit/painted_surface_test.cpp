@@ -151,6 +151,32 @@ TEST_F(PaintedSurface, IsNotJudgedBehindAVoidThatALoweredRidgeLetsItsRayReach) {
   }
 }
 
+// Flat ground behind a gap: a ray that meets it 5 cm behind the rim may slip below a surface within
+// the band, one that meets it 50 m behind may not.
+TEST_F(PaintedSurface, IsNotJudgedWhereItsRayMaySlipBelowAVoidsRim) {
+  for (const bool at_rim : {true, false}) {
+    field_ = terrain::Heightfield();
+    field_.heights_m = Grid<float>(65, 65, 0.0f);
+    field_.dx_m = field_.dy_m = 10.0;
+    for (int i = 0; i < 65; ++i) {
+      for (int j = 30; j < 40; ++j)
+        field_.heights_m(i, j) = std::numeric_limits<float>::quiet_NaN();
+    }
+    look_.eye_m = {320.0, 0.0, 100.0};
+    look_.target_m = {320.0, at_rim ? 400.05 : 450.0, 0.0};
+    look_.width_px = 161;
+    look_.height_px = 91;
+    const AuditResult result = audit(painted([&](HitImage& image) {
+      const std::size_t pixel = image.index(80, 45);
+      ASSERT_TRUE(image.hit(pixel));
+      image.depth_m[pixel] *= 1.3;
+      image.from_eye_m[pixel] *= 1.3;
+    }));
+    EXPECT_EQ(result.pixels_set_aside, at_rim ? 1 : 0);
+    EXPECT_EQ(claim(result, "pixel-error").holds, at_rim);
+  }
+}
+
 TEST_F(PaintedSurface, RefusesLimitsThatOnlyAMeshHas) {
   AuditOptions options;
   for (const char* limit : {"sample-error=1m", "surface-error=1px", "topology=0",
