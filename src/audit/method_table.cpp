@@ -95,6 +95,7 @@ slicing::Parameters slicing_parameters(const MethodChoice& choice, bool hybrid) 
   parameters.renderer = word_parameter<slicing::SliceRenderer>(
       choice, "renderer",
       {{"rays", slicing::SliceRenderer::Rays}, {"quads", slicing::SliceRenderer::Quads}});
+  parameters.borders = word_parameter<bool>(choice, "borders", {{"on", true}, {"off", false}});
   const auto profile = choice.parameters.find("profile");
   if (profile != choice.parameters.end()) parameters.profile = parse_profile(profile->second);
   return parameters;
@@ -113,6 +114,7 @@ Method slicing_row(const std::string& name, const std::string& summary, bool hyb
       {"heights",
        "how they are looked up: triangulated, bilinear, nearest, eight-bit or mip-mapped "
        "(triangulated)"},
+      {"borders", "of published slices, a pixel wide: on or off (on)"},
       {"renderer", "rays, or quads through the rasteriser (rays)"},
       {"profile",
        "speeds for the cost model: a name, a .toml file or NAME,VERTICES_PER_S,"

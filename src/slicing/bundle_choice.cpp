@@ -58,7 +58,7 @@ SliceBundle bundle_across(const Box& box, std::uint32_t index, Axis axis, double
 
 std::optional<PricedBundle> published(const SlicingNode& node, std::uint32_t index,
                                       const Camera& camera, double tolerance_px,
-                                      const CostProfile& profile) {
+                                      const CostProfile& profile, bool borders) {
   const BoxView view = view_of_box(node.box, camera, Variant::Published);
   if (!(view.distance_m > 0.0)) return std::nullopt;
   const glm::dvec3 extent = node.box.high - node.box.low;
@@ -73,6 +73,7 @@ std::optional<PricedBundle> published(const SlicingNode& node, std::uint32_t ind
   SliceBundle& bundle = priced.bundle;
   const double pixel_m = 1.0 / projected_px(camera, 1.0, view.distance_m, 1.0);
   bundle.raise_m = 0.5 * pixel_m;
+  if (!borders) return priced;
   if (axis == Axis::Z) {
     bundle.reach.low -= glm::dvec3(pixel_m, pixel_m, 0.0);
     bundle.reach.high += glm::dvec3(pixel_m, pixel_m, 0.0);
@@ -183,9 +184,10 @@ double depth_change(const Box& box, double steepest, const glm::dvec3& eye_m, Ax
 
 std::optional<PricedBundle> price_bundle(const SlicingNode& node, std::uint32_t index,
                                          const Camera& camera, Variant variant, double tolerance_px,
-                                         const CostProfile& profile) {
-  return variant == Variant::Published ? published(node, index, camera, tolerance_px, profile)
-                                       : conservative(node, index, camera, tolerance_px, profile);
+                                         const CostProfile& profile, bool borders) {
+  return variant == Variant::Published
+             ? published(node, index, camera, tolerance_px, profile, borders)
+             : conservative(node, index, camera, tolerance_px, profile);
 }
 
 }  // namespace plumb::slicing

@@ -57,9 +57,10 @@ double depth_change(const Box& box, double steepest, const glm::dvec3& eye_m, Ax
 ///   (1) every point of a ray before its drawn point is less than allowed_displacement_m below the
 ///   ground, and so is the drawn point, which lies above it by closing_raise_m at most;
 /// nothing if no axis can keep that.
-/// `camera` is relative to the terrain's origin; the node is not empty.
+/// `camera` is relative to the terrain's origin; the node is not empty. `borders` off leaves the
+/// published bundle's borders out, to see what they are for.
 std::optional<PricedBundle> price_bundle(const SlicingNode& node, std::uint32_t index,
                                          const Camera& camera, Variant variant, double tolerance_px,
-                                         const CostProfile& profile);
+                                         const CostProfile& profile, bool borders = true);
 
 }  // namespace plumb::slicing

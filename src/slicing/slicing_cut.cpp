@@ -66,7 +66,7 @@ class Descent {
     Stop stop;
     if (is_inside_view(camera_, node.box)) {
       stop.slices = price_bundle(node, index, camera_, options_.variant, options_.tolerance_px,
-                                 options_.profile);
+                                 options_.profile, options_.borders);
     }
     BoxView view = view_of_box(node.box, camera_, options_.variant);
     view.distance_m = std::max(view.distance_m, camera_.near_m);  // nothing is seen nearer

@@ -20,6 +20,7 @@ struct CutOptions {
   bool hybrid = true;           // polygons where they cost less; else only where slices cannot be
   double descend_factor = 0.9;  // c: descend if a node costs more than c times its children; > 0
   CostProfile profile;
+  bool borders = true;  // of published bundles
 };
 
 enum class NodeUse : std::uint8_t { Nothing, Inner, Bundle, Polygons };

@@ -52,6 +52,7 @@ CutOptions cut_options(const Parameters& parameters, double tolerance_px) {
   options.hybrid = parameters.hybrid;
   options.descend_factor = parameters.descend_factor;
   options.profile = parameters.profile;
+  options.borders = parameters.borders;
   return options;
 }
 

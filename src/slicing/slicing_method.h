@@ -24,6 +24,7 @@ struct Parameters {
   double descend_factor = 0.9;  // c of the article
   CutChoice cut = CutChoice::Greedy;
   CostProfile profile;
+  bool borders = true;  // of published bundles
   Interpolation heights = Interpolation::Triangulated;
   SliceRenderer renderer = SliceRenderer::Rays;
 };

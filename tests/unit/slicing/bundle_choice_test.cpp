@@ -98,6 +98,12 @@ TEST(BundleChoice, GivesLowVerticalSlicesABorder) {
   EXPECT_DOUBLE_EQ(priced->bundle.reach.high.z, 0.1 + pixel_m);
   EXPECT_EQ(priced->bundle.least_z_m, 0.0);
   EXPECT_EQ(priced->bundle.greatest_z_m, 0.1);
+  const auto bare = price_bundle(node, 0, looking_at(node, {-400, 40, 0.05}), Variant::Published,
+                                 1.0, CostProfile{}, false);
+  ASSERT_TRUE(bare);
+  EXPECT_EQ(bare->bundle.reach.low, node.box.low);
+  EXPECT_EQ(bare->bundle.reach.high, node.box.high);
+  EXPECT_EQ(bare->bundle.raise_m, priced->bundle.raise_m);
 }
 
 // For z it is 1 + L cot(alpha): at a corner 300 m down and 400 m away, slope 2, 1 + 2 * 4 / 3.
