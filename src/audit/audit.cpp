@@ -32,7 +32,8 @@ void require_consistent(const HitImage& true_hits, const DrawnSurface& surface,
   require(surface.triangle_lod.empty() || surface.triangle_lod.size() == surface.primitive_count(),
           "triangle_lod must have an entry for each of {} triangles, got {}",
           surface.primitive_count(), surface.triangle_lod.size());
-  require(surface.kinds.size() <= 6, "a surface has at most 6 kinds of patches, got {}",
+  require(surface.kinds.size() <= DrawnSurface::kMostKinds,
+          "a surface has at most {} kinds of patches, got {}", DrawnSurface::kMostKinds,
           surface.kinds.size());
   for (const Patch& patch : surface.patches) {
     require(surface.kinds.empty() ||

@@ -136,9 +136,9 @@ struct Named {
   const char* name;
   Colour colour;
 };
-constexpr Named kKindColours[] = {{"grey", {150, 150, 150}},   {"blue", {0, 114, 178}},
-                                  {"orange", {230, 159, 0}},   {"green", {0, 158, 115}},
-                                  {"purple", {204, 121, 167}}, {"yellow", {240, 228, 66}}};
+constexpr Named kKindColours[DrawnSurface::kMostKinds] = {
+    {"grey", {150, 150, 150}}, {"blue", {0, 114, 178}},     {"orange", {230, 159, 0}},
+    {"green", {0, 158, 115}},  {"purple", {204, 121, 167}}, {"yellow", {240, 228, 66}}};
 
 Colour darker(Colour c) {
   return {static_cast<std::uint8_t>(c.r / 2), static_cast<std::uint8_t>(c.g / 2),

@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "audit/drawn_point.h"
 #include "audit/offenders.h"
 #include "core/check.h"
 #include "core/parallel.h"
@@ -31,18 +32,17 @@ class Checker {
         surface_(surface),
         options_(options),
         finder_(result, truth, surface, camera) {
-    // A drawn point is a sum of the eye and a ray, rounded at their length a few times over.
     const double reach = parallel_ordered_reduce(
         static_cast<std::int64_t>(result.drawn.size()), 1 << 16, 0.0,
         [&](std::int64_t begin, std::int64_t end, double most) {
           for (std::int64_t k = begin; k < end; ++k) {
-            const glm::dvec3& ray = result.drawn.from_eye_m[static_cast<std::size_t>(k)];
-            most = std::max({most, std::abs(ray.x), std::abs(ray.y), std::abs(ray.z)});
+            most = std::max(
+                most, largest_coordinate(result.drawn.from_eye_m[static_cast<std::size_t>(k)]));
           }
           return most;
         },
         [](double a, double b) { return std::max(a, b); });
-    eye_slack_m_ = 8.0 * std::numeric_limits<double>::epsilon() * reach;
+    eye_slack_m_ = drawn_point_slack_m(reach);
   }
 
   void run() {

@@ -74,15 +74,16 @@ Value word_parameter(const MethodChoice& choice, const std::string& name,
 
 slicing::Parameters slicing_parameters(const MethodChoice& choice, bool hybrid) {
   slicing::Parameters parameters;
-  parameters.hybrid = hybrid;
-  parameters.variant =
+  parameters.cut.hybrid = hybrid;
+  parameters.cut.variant =
       choice.variant == "published" ? slicing::Variant::Published : slicing::Variant::Conservative;
   parameters.leaf_cells = integer_parameter(choice, "leaf_cells", parameters.leaf_cells);
   if (parameters.leaf_cells < 2 || parameters.leaf_cells > 256 || parameters.leaf_cells % 2 != 0)
     input_error("parameter leaf_cells: expected an even number from 2 to 256, got {}",
                 parameters.leaf_cells);
-  parameters.descend_factor = number_parameter(choice, "descend", parameters.descend_factor);
-  parameters.cut = word_parameter<slicing::CutChoice>(
+  parameters.cut.descend_factor =
+      number_parameter(choice, "descend", parameters.cut.descend_factor);
+  parameters.choice = word_parameter<slicing::CutChoice>(
       choice, "cut",
       {{"greedy", slicing::CutChoice::Greedy}, {"optimum", slicing::CutChoice::Optimum}});
   parameters.heights = word_parameter<slicing::Interpolation>(
@@ -95,9 +96,9 @@ slicing::Parameters slicing_parameters(const MethodChoice& choice, bool hybrid) 
   parameters.renderer = word_parameter<slicing::SliceRenderer>(
       choice, "renderer",
       {{"rays", slicing::SliceRenderer::Rays}, {"quads", slicing::SliceRenderer::Quads}});
-  parameters.borders = word_parameter<bool>(choice, "borders", {{"on", true}, {"off", false}});
+  parameters.cut.borders = word_parameter<bool>(choice, "borders", {{"on", true}, {"off", false}});
   const auto profile = choice.parameters.find("profile");
-  if (profile != choice.parameters.end()) parameters.profile = parse_profile(profile->second);
+  if (profile != choice.parameters.end()) parameters.cut.profile = parse_profile(profile->second);
   return parameters;
 }
 

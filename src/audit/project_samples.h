@@ -3,14 +3,15 @@
 
 #include <cstdint>
 
+#include "audit/cover_row.h"
 #include "core/camera.h"
 #include "core/instruction_set.h"
 
 namespace plumb::audit {
 
-/// Some samples of one row, side by side. Each array has room for kPadding entries after the last.
+/// Some samples of one row, side by side; the arrays are a CoverRow's, with its padding.
 struct SampleRun {
-  static constexpr int kPadding = 8;
+  static constexpr int kPadding = CoverRow::kPadding;
 
   double y_m, dx_m;        // of the row, and between its samples
   int first, count;        // columns; at most ProjectedSamples::kMost of them

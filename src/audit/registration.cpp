@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "audit/drawn_point.h"
 #include "core/parallel.h"
 
 namespace plumb::audit {
@@ -45,10 +46,6 @@ Sums joined(Sums a, const Sums& b) {
   return a;
 }
 
-double magnitude(const glm::dvec3& v) {
-  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
 double determinant(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   return glm::dot(a, glm::cross(b, c));
 }
@@ -87,7 +84,7 @@ Registration registration_of(const TriangleMesh* mesh, const HitImage& drawn,
     const double length = std::sqrt(glm::dot(normal, normal));
     if (length > 0.0) normal /= length;  // a triangle without area has no plane to be off
     sums.add_plane(normal, glm::dot(normal, (eye - a) + ray));
-    sums.reach = std::max({sums.reach, magnitude(a), magnitude(ray)});
+    sums.reach = std::max({sums.reach, largest_coordinate(a), largest_coordinate(ray)});
   };
   const Sums sums = parallel_ordered_reduce(
       static_cast<std::int64_t>(drawn.size()), 4096, Sums{},
@@ -103,8 +100,8 @@ Registration registration_of(const TriangleMesh* mesh, const HitImage& drawn,
   r.largest_off_plane_m = sums.largest_off;
   // Points, corners and the eye are each rounded at their magnitude, a few times over; thin
   // triangles have normals that are off by as much again.
-  r.allowed_off_plane_m =
-      256.0 * std::numeric_limits<double>::epsilon() * std::max({1.0, sums.reach, magnitude(eye)});
+  r.allowed_off_plane_m = 256.0 * std::numeric_limits<double>::epsilon() *
+                          std::max({1.0, sums.reach, largest_coordinate(eye)});
   r.eye_offset_m = solve(sums);
   r.agrees = r.largest_shift_px <= kSnapShiftPx && r.largest_off_plane_m <= r.allowed_off_plane_m;
   return r;

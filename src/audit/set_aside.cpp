@@ -2,11 +2,10 @@
 
 #include <glm/geometric.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
+#include "audit/drawn_point.h"
 #include "core/parallel.h"
 
 namespace plumb::audit {
@@ -59,10 +58,8 @@ std::vector<std::uint8_t> rays_below_ground(const HeightfieldTruth& truth,
     if (!drawn.hit(pixel) || (!before && !with_voids)) return;
     const glm::dvec3& ray = drawn.from_eye_m[pixel];
     const glm::dvec3 point = eye + ray;
-    // A drawn point is a sum of the eye and a ray, rounded at their length a few times over.
-    const double rounding_m = 8.0 * std::numeric_limits<double>::epsilon() *
-                              std::max({std::abs(ray.x), std::abs(ray.y), std::abs(ray.z)});
-    if (!(truth.height_at(point.x, point.y) - point.z > truth.slack_m + rounding_m)) return;
+    const double slack_m = truth.slack_m + drawn_point_slack_m(largest_coordinate(ray));
+    if (!(truth.height_at(point.x, point.y) - point.z > slack_m)) return;
     set_aside[pixel] =
         before || (walk.is_beyond(point, BandWalk::Side::Below) && !came_through(point, ray));
   });

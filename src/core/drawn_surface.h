@@ -52,7 +52,8 @@ struct DrawnSurface {
   std::vector<std::uint8_t>
       triangle_lod;  // level of each triangle, 0 the finest; empty if there are no levels
   std::vector<Patch> patches;
-  std::vector<std::string> kinds;  // of patches, up to six, for a picture; empty: all are alike
+  static constexpr std::size_t kMostKinds = 6;
+  std::vector<std::string> kinds;  // of patches, for a picture; empty: all are alike
   std::vector<Claim> claims;
   Cost cost;
   std::vector<std::string> notes;  // what a user should know: bounds out of reach, choices made

@@ -45,20 +45,9 @@ class UsedNodes {
   std::vector<std::uint32_t> patch_of_node_;
 };
 
-CutOptions cut_options(const Parameters& parameters, double tolerance_px) {
-  CutOptions options;
-  options.variant = parameters.variant;
-  options.tolerance_px = tolerance_px;
-  options.hybrid = parameters.hybrid;
-  options.descend_factor = parameters.descend_factor;
-  options.profile = parameters.profile;
-  options.borders = parameters.borders;
-  return options;
-}
-
 Claim claim_of(const Parameters& parameters, double tolerance_px) {
   Claim claim{Measure::PixelError, tolerance_px, Unit::Pixel};
-  if (parameters.variant == Variant::Conservative &&
+  if (parameters.cut.variant == Variant::Conservative &&
       parameters.heights != Interpolation::Triangulated) {
     claim.bound = std::numeric_limits<double>::infinity();
     claim.unreachable = true;
@@ -91,8 +80,9 @@ DrawnSurface draw(const Prepared& prepared, const Camera& camera, const Toleranc
     input_error("slicing needs a tolerance in pixels above zero, got {}", to_text(tolerance));
   const SlicingTree& tree = *prepared.tree;
   const Camera local = relative_to(camera, tree.field().world_origin_m());
-  const CutOptions options = cut_options(parameters, tolerance.value);
-  const auto cut = std::make_shared<const SlicingCut>(parameters.cut == CutChoice::Optimum
+  CutOptions options = parameters.cut;
+  options.tolerance_px = tolerance.value;
+  const auto cut = std::make_shared<const SlicingCut>(parameters.choice == CutChoice::Optimum
                                                           ? optimal_cut(tree, local, options)
                                                           : cut_tree(tree, local, options));
   const auto polygons = std::make_shared<const NodeMesh>(mesh_of_nodes(tree, cut->polygons));
@@ -110,8 +100,8 @@ DrawnSurface draw(const Prepared& prepared, const Camera& camera, const Toleranc
   surface.notes.push_back(fmt::format(
       "{} bundles of {} slices and {} nodes of polygons, {:.4g} s by the profile {} ({:.4g} "
       "vertices/s, {:.4g} pixels/s).",
-      cut->bundles.size(), cut->slices, cut->polygons.size(), cut->cost_s, parameters.profile.name,
-      parameters.profile.vertices_per_s, parameters.profile.pixels_per_s));
+      cut->bundles.size(), cut->slices, cut->polygons.size(), cut->cost_s, options.profile.name,
+      options.profile.vertices_per_s, options.profile.pixels_per_s));
   surface.painter = [prepared, cut, polygons,
                      patch = used.take_patch_of_node()](const Camera& eye) {
     HybridFrame frame = draw_frame(*prepared.tree, *cut, *polygons, eye, *prepared.heights,

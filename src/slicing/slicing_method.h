@@ -5,10 +5,9 @@
 
 #include "core/camera.h"
 #include "core/drawn_surface.h"
-#include "slicing/bundle_choice.h"
-#include "slicing/cost_profile.h"
 #include "slicing/height_lookup.h"
 #include "slicing/hybrid_frame.h"
+#include "slicing/slicing_cut.h"
 #include "slicing/slicing_tree.h"
 #include "terrain/heightfield.h"
 
@@ -18,13 +17,9 @@ namespace plumb::slicing {
 enum class CutChoice { Greedy, Optimum };
 
 struct Parameters {
-  Variant variant = Variant::Conservative;
-  bool hybrid = true;  // polygons where they cost less; else only where slices cannot be
   int leaf_cells = 8;
-  double descend_factor = 0.9;  // c of the article
-  CutChoice cut = CutChoice::Greedy;
-  CostProfile profile;
-  bool borders = true;  // of published bundles
+  CutChoice choice = CutChoice::Greedy;
+  CutOptions cut;  // its tolerance is the one that is drawn with
   Interpolation heights = Interpolation::Triangulated;
   SliceRenderer renderer = SliceRenderer::Rays;
 };

@@ -28,16 +28,16 @@ std::uint64_t conservative() { return frames({}); }
 
 std::uint64_t published() {
   slicing::Parameters parameters;
-  parameters.variant = slicing::Variant::Published;
-  parameters.hybrid = false;
+  parameters.cut.variant = slicing::Variant::Published;
+  parameters.cut.hybrid = false;
   parameters.renderer = slicing::SliceRenderer::Quads;
   return frames(parameters);
 }
 
 std::uint64_t looked_up(slicing::Interpolation heights) {
   slicing::Parameters parameters;
-  parameters.variant = slicing::Variant::Published;
-  parameters.cut = slicing::CutChoice::Optimum;
+  parameters.cut.variant = slicing::Variant::Published;
+  parameters.choice = slicing::CutChoice::Optimum;
   parameters.heights = heights;
   return frames(parameters);
 }

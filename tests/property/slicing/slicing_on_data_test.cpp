@@ -33,9 +33,9 @@ TEST_P(SlicedFile, KeepsItsConservativePromise) {
   const audit::HeightfieldTruth truth(field, terrain::Diagonal::Alternating);
   for (const Variant variant : {Variant::Conservative, Variant::Published}) {
     Parameters parameters;
-    parameters.variant = variant;
+    parameters.cut.variant = variant;
     for (const double tolerance_px : {0.5, 1.0, 2.0}) {
-      parameters.hybrid = tolerance_px == 2.0;
+      parameters.cut.hybrid = tolerance_px == 2.0;
       const Prepared prepared = prepare(field, terrain::Diagonal::Alternating, parameters);
       for (const auto& preset : terrain::preset_help()) {
         const Camera camera =

@@ -50,6 +50,22 @@ class PaintedSurface : public testing::Test {
                          make_camera(look_), options);
   }
 
+  // Ground at height zero, with a gap of ten rows 300 m from the eye or without; the middle pixel,
+  // (80, 45), sees `target_m`.
+  void look_at_flat_ground(bool gap, const glm::dvec3& target_m) {
+    field_ = terrain::Heightfield();
+    field_.heights_m = Grid<float>(65, 65, 0.0f);
+    field_.dx_m = field_.dy_m = 10.0;
+    for (int i = 0; i < 65; ++i) {
+      for (int j = 30; gap && j < 40; ++j)
+        field_.heights_m(i, j) = std::numeric_limits<float>::quiet_NaN();
+    }
+    look_.eye_m = {320.0, 0.0, 100.0};
+    look_.target_m = target_m;
+    look_.width_px = 161;
+    look_.height_px = 91;
+  }
+
   terrain::Heightfield field_;
   LookAt look_;
 };
@@ -126,18 +142,8 @@ TEST_F(PaintedSurface, IsNotJudgedWhereItsRaysBeginBelowTheGround) {
 // ridge's top comes below the ground through the gap, or through the ground itself.
 TEST_F(PaintedSurface, IsNotJudgedBehindAVoidThatALoweredRidgeLetsItsRayReach) {
   for (const bool gap : {true, false}) {
-    field_ = terrain::Heightfield();
-    field_.heights_m = Grid<float>(65, 65, 0.0f);
-    field_.dx_m = field_.dy_m = 10.0;
-    for (int i = 0; i < 65; ++i) {
-      field_.heights_m(i, 20) = 50.0f;
-      for (int j = 30; gap && j < 40; ++j)
-        field_.heights_m(i, j) = std::numeric_limits<float>::quiet_NaN();
-    }
-    look_.eye_m = {320.0, 0.0, 100.0};
-    look_.target_m = {320.0, 200.0, 49.5};  // the middle of the picture, just below the ridge's top
-    look_.width_px = 161;
-    look_.height_px = 91;
+    look_at_flat_ground(gap, {320.0, 200.0, 49.5});  // just below the ridge's top
+    for (int i = 0; i < 65; ++i) field_.heights_m(i, 20) = 50.0f;
     const AuditResult result = audit(painted([&](HitImage& image) {
       const std::size_t pixel = image.index(80, 45);
       ASSERT_TRUE(image.hit(pixel));
@@ -155,17 +161,7 @@ TEST_F(PaintedSurface, IsNotJudgedBehindAVoidThatALoweredRidgeLetsItsRayReach) {
 // the band, one that meets it 50 m behind may not.
 TEST_F(PaintedSurface, IsNotJudgedWhereItsRayMaySlipBelowAVoidsRim) {
   for (const bool at_rim : {true, false}) {
-    field_ = terrain::Heightfield();
-    field_.heights_m = Grid<float>(65, 65, 0.0f);
-    field_.dx_m = field_.dy_m = 10.0;
-    for (int i = 0; i < 65; ++i) {
-      for (int j = 30; j < 40; ++j)
-        field_.heights_m(i, j) = std::numeric_limits<float>::quiet_NaN();
-    }
-    look_.eye_m = {320.0, 0.0, 100.0};
-    look_.target_m = {320.0, at_rim ? 400.05 : 450.0, 0.0};
-    look_.width_px = 161;
-    look_.height_px = 91;
+    look_at_flat_ground(true, {320.0, at_rim ? 400.05 : 450.0, 0.0});
     const AuditResult result = audit(painted([&](HitImage& image) {
       const std::size_t pixel = image.index(80, 45);
       ASSERT_TRUE(image.hit(pixel));
