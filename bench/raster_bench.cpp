@@ -29,6 +29,7 @@ void our_frame(benchmark::State& state, const char* preset, InstructionSet set, 
   const Camera camera = bench_camera(preset);
   const ForcedInstructionSet forced(set);
   std::int64_t fragments = 0;
+  full_mesh();  // is made before the first measurement
   const raster::RasterOptions options{
       .runs = culling == Culling::Runs ? full_surface().usable_runs() : nullptr};
   measure(state, [&] { fragments = raster::rasterise(full_mesh(), camera, options).fragments; });

@@ -23,6 +23,27 @@ struct Avx2Lanes {
     _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm256_cvttpd_epi32(x));
   }
 
+  static void load_points(const double* from, Real& x, Real& y, Real& z) {
+    const auto halves = [from](int low, int high) {
+      return _mm256_set_m128d(_mm_loadu_pd(from + high), _mm_loadu_pd(from + low));
+    };
+    const Real xy0 = halves(0, 6), z0x1 = halves(2, 8), yz1 = halves(4, 10);
+    x = _mm256_shuffle_pd(xy0, z0x1, 0b1010);
+    y = _mm256_shuffle_pd(xy0, yz1, 0b0101);
+    z = _mm256_shuffle_pd(z0x1, yz1, 0b1010);
+  }
+  static void store_records(void* to, Real first, Real second, Real third) {
+    const __m128i one = _mm256_cvttpd_epi32(first), two = _mm256_cvttpd_epi32(second);
+    const __m128i low = _mm_unpacklo_epi32(one, two), high = _mm_unpackhi_epi32(one, two);
+    const __m128i real_low = _mm_castpd_si128(_mm256_castpd256_pd128(third));
+    const __m128i real_high = _mm_castpd_si128(_mm256_extractf128_pd(third, 1));
+    auto* records = static_cast<__m128i*>(to);
+    _mm_storeu_si128(records, _mm_unpacklo_epi64(low, real_low));
+    _mm_storeu_si128(records + 1, _mm_unpackhi_epi64(low, real_low));
+    _mm_storeu_si128(records + 2, _mm_unpacklo_epi64(high, real_high));
+    _mm_storeu_si128(records + 3, _mm_unpackhi_epi64(high, real_high));
+  }
+
   static Real least(Real a, Real b) { return _mm256_min_pd(a, b); }
   static Real greatest(Real a, Real b) { return _mm256_max_pd(a, b); }
   static Real root(Real a) { return _mm256_sqrt_pd(a); }

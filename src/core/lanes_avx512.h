@@ -23,6 +23,30 @@ struct Avx512Lanes {
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm512_cvttpd_epi32(x));
   }
 
+  static void load_points(const double* from, Real& x, Real& y, Real& z) {
+    const Real a = load(from), b = load(from + 8), c = load(from + 16);
+    const auto third = [&](__m512i of_ab, __m512i with_c) {
+      return _mm512_permutex2var_pd(_mm512_permutex2var_pd(a, of_ab, b), with_c, c);
+    };
+    x = third(_mm512_setr_epi64(0, 3, 6, 9, 12, 15, 0, 0),
+              _mm512_setr_epi64(0, 1, 2, 3, 4, 5, 10, 13));
+    y = third(_mm512_setr_epi64(1, 4, 7, 10, 13, 0, 0, 0),
+              _mm512_setr_epi64(0, 1, 2, 3, 4, 8, 11, 14));
+    z = third(_mm512_setr_epi64(2, 5, 8, 11, 14, 0, 0, 0),
+              _mm512_setr_epi64(0, 1, 2, 3, 4, 9, 12, 15));
+  }
+  static void store_records(void* to, Real first, Real second, Real third) {
+    const __m512i low = _mm512_cvtepu32_epi64(_mm512_cvttpd_epi32(first));
+    const __m512i high = _mm512_cvtepu32_epi64(_mm512_cvttpd_epi32(second));
+    const __m512i both = _mm512_or_si512(low, _mm512_slli_epi64(high, 32));
+    const __m512i reals = _mm512_castpd_si512(third);
+    const __m512i begin = _mm512_setr_epi64(0, 8, 1, 9, 2, 10, 3, 11);
+    const __m512i end = _mm512_setr_epi64(4, 12, 5, 13, 6, 14, 7, 15);
+    auto* records = static_cast<char*>(to);
+    _mm512_storeu_si512(records, _mm512_permutex2var_epi64(both, begin, reals));
+    _mm512_storeu_si512(records + 64, _mm512_permutex2var_epi64(both, end, reals));
+  }
+
   static Real least(Real a, Real b) { return _mm512_min_pd(a, b); }
   static Real greatest(Real a, Real b) { return _mm512_max_pd(a, b); }
   static Real root(Real a) { return _mm512_sqrt_pd(a); }

@@ -30,6 +30,22 @@ struct Sse2Lanes {
     _mm_storel_epi64(reinterpret_cast<__m128i*>(to), _mm_cvttpd_epi32(x));
   }
 
+  /// The next kCount points of records (x, y, z).
+  static void load_points(const double* from, Real& x, Real& y, Real& z) {
+    const Real xy0 = load(from), z0x1 = load(from + 2), yz1 = load(from + 4);
+    x = _mm_shuffle_pd(xy0, z0x1, 0b10);
+    y = _mm_shuffle_pd(xy0, yz1, 0b01);
+    z = _mm_shuffle_pd(z0x1, yz1, 0b10);
+  }
+  /// Records of 16 bytes: two whole numbers of 32 bits and a double.
+  static void store_records(void* to, Real first, Real second, Real third) {
+    const __m128i both = _mm_unpacklo_epi32(_mm_cvttpd_epi32(first), _mm_cvttpd_epi32(second));
+    const __m128i reals = _mm_castpd_si128(third);
+    auto* records = static_cast<__m128i*>(to);
+    _mm_storeu_si128(records, _mm_unpacklo_epi64(both, reals));
+    _mm_storeu_si128(records + 1, _mm_unpackhi_epi64(both, reals));
+  }
+
   static Real least(Real a, Real b) { return _mm_min_pd(a, b); }
   static Real greatest(Real a, Real b) { return _mm_max_pd(a, b); }
   static Real root(Real a) { return _mm_sqrt_pd(a); }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "core/check.h"
 #include "core/parallel.h"
+#include "raster/perspective.h"
 
 namespace plumb::raster {
 namespace {
@@ -20,10 +22,13 @@ std::array<glm::dvec3, 3> corners_from_eye(const Geometry& geometry, const Trian
 
 }  // namespace
 
-Binner::Binner(const Geometry& geometry, const Tiling& tiling)
+Binner::Binner(const Geometry& geometry, const Tiling& tiling, Facing facing, bool fragments)
     : geometry_(geometry),
       tiling_(tiling),
-      filter_{geometry.vertices.data(), kClipped, tiling.width_px - 1, tiling.height_px - 1},
+      facing_(facing),
+      fragments_(fragments),
+      filter_{geometry.vertices.data(), geometry.vertices.size(), kClipped, tiling.width_px - 1,
+              tiling.height_px - 1},
       filter_triangles_(filter_triangles(instruction_set())) {}
 
 PixelBox Tiling::box(int column, int row) const {
@@ -36,15 +41,25 @@ Tiling make_tiling(int width_px, int height_px, int tile_px) {
           (height_px + tile_px - 1) / tile_px};
 }
 
+bool Binner::faces_rightly(std::int64_t signed_area) const {
+  return facing_ == Facing::Both || (signed_area > 0) == (facing_ == Facing::Clockwise);
+}
+
 void Binner::add(const std::array<ScreenVertex, 3>& corners, BinEntry entry, Block& block) const {
   const PixelBox window{0, 0, tiling_.width_px - 1, tiling_.height_px - 1};
   const PixelBox box = common_part(pixel_box(corners[0], corners[1], corners[2]), window);
-  if (box.empty()) return;
+  const std::int64_t area = doubled_area(corners[0], corners[1], corners[2]);
+  if (box.empty() || area == 0 || !faces_rightly(area)) return;
   if (box.holds_one_pixel()) {  // most triangles of a dense mesh end here
     const EdgeFunctions edges = edge_functions(corners);
-    if (edges.doubled_area == 0 || !may_cover(edges, box)) return;
-  } else if (doubled_area(corners[0], corners[1], corners[2]) == 0) {
-    return;
+    if (!may_cover(edges, box)) return;
+    if (fragments_ && !entry.is_piece()) {
+      const glm::dvec3 scales = corner_scales(edges, corners);
+      entry.depth_m = depth_of(corner_shares(edges, scales, box.x0, box.y0));
+      if (entry.depth_m > geometry_.projection.camera.far_m) return;
+      entry.place = static_cast<std::uint32_t>(box.y0) * static_cast<std::uint32_t>(window.x1 + 1) +
+                    static_cast<std::uint32_t>(box.x0);
+    }
   }
   const auto tile_of = [this](int px) { return static_cast<std::uint16_t>(px / tiling_.tile_px); };
   block.candidates.push_back(
@@ -59,7 +74,7 @@ void Binner::clip(std::uint32_t triangle, Block& block) const {
   for (int k = 0; k < count; ++k) {
     const ClippedPiece& piece = pieces[static_cast<std::size_t>(k)];
     const std::size_t before = block.candidates.size();
-    add(piece.corners, {triangle, static_cast<std::int32_t>(block.pieces.size())}, block);
+    add(piece.corners, {triangle, static_cast<std::uint32_t>(block.pieces.size())}, block);
     if (block.candidates.size() > before) block.pieces.push_back(piece);
   }
 }
@@ -67,11 +82,16 @@ void Binner::clip(std::uint32_t triangle, Block& block) const {
 void Binner::find_candidates(std::uint32_t first, std::uint32_t last, Block& block) const {
   block.candidates.clear();
   block.pieces.clear();
+  block.names_no_vertex = false;
   if (first == last) return;
   block.kept.resize(kBlock + kMostTogether);
   geometry_.for_each_stretch(first, last, [&](std::uint32_t begin, std::uint32_t end) {
     const std::uint32_t count = filter_triangles_(filter_, geometry_.mesh->triangles[begin].data(),
                                                   end - begin, block.kept.data());
+    if (count == kBadIndex) {
+      block.names_no_vertex = true;
+      return;
+    }
     for (std::uint32_t k = 0; k < count; ++k) find_candidate(begin + block.kept[k], block);
   });
 }
@@ -82,7 +102,7 @@ void Binner::find_candidate(std::uint32_t triangle, Block& block) const {
   const ScreenVertex& b = geometry_.vertices[corners[1]];
   const ScreenVertex& c = geometry_.vertices[corners[2]];
   if (a.x != kClipped && b.x != kClipped && c.x != kClipped) {
-    add({a, b, c}, {triangle, -1}, block);
+    add({a, b, c}, {triangle}, block);
   } else {
     clip(triangle, block);
   }
@@ -90,9 +110,7 @@ void Binner::find_candidate(std::uint32_t triangle, Block& block) const {
 
 std::array<ScreenVertex, 3> Binner::corners_of(const Candidate& candidate,
                                                const Block& block) const {
-  if (candidate.entry.piece >= 0) {
-    return block.pieces[static_cast<std::size_t>(candidate.entry.piece)].corners;
-  }
+  if (candidate.entry.is_piece()) return block.pieces[candidate.entry.place].corners;
   const Triangle& corners = geometry_.mesh->triangles[candidate.entry.triangle];
   return {geometry_.vertices[corners[0]], geometry_.vertices[corners[1]],
           geometry_.vertices[corners[2]]};
@@ -133,10 +151,10 @@ void Binner::assign_places(std::size_t block_count) {
   bins_.entries.resize(next);
 }
 
-void Binner::fill(Block& block, std::int32_t first_piece) {
+void Binner::fill(Block& block, std::uint32_t first_piece) {
   for (const Candidate& candidate : block.candidates) {
     BinEntry entry = candidate.entry;
-    if (entry.piece >= 0) entry.piece += first_piece;
+    if (entry.is_piece()) entry.place += first_piece;
     for_each_tile(candidate, block,
                   [&](std::size_t tile) { bins_.entries[block.places[tile]++] = entry; });
   }
@@ -154,12 +172,15 @@ const Bins& Binner::bin(std::uint32_t first, std::uint32_t count) {
       for_each_tile(candidate, block, [&](std::size_t tile) { ++block.places[tile]; });
     }
   });
+  for (std::size_t b = 0; b < block_count; ++b) {
+    require(!blocks_[b].names_no_vertex, "a triangle names a vertex that the mesh does not have");
+  }
   assign_places(block_count);
 
-  std::vector<std::int32_t> first_piece(block_count);
+  std::vector<std::uint32_t> first_piece(block_count);
   bins_.pieces.clear();
   for (std::size_t b = 0; b < block_count; ++b) {
-    first_piece[b] = static_cast<std::int32_t>(bins_.pieces.size());
+    first_piece[b] = static_cast<std::uint32_t>(bins_.pieces.size());
     bins_.pieces.insert(bins_.pieces.end(), blocks_[b].pieces.begin(), blocks_[b].pieces.end());
   }
   parallel_for(static_cast<std::int64_t>(block_count), 1, [&](std::int64_t b) {

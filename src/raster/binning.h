@@ -49,10 +49,19 @@ struct Geometry {
   }
 };
 
-/// A triangle, whole or a piece of it.
+/// Which triangles are drawn, by the way that their corners run on the screen.
+enum class Facing { Both, CounterClockwise, Clockwise };
+
+/// What a triangle sends to a tile: itself, a piece of it, or the one fragment that it covers.
 struct BinEntry {
+  static constexpr std::uint32_t kWhole = 0xffffffff;
+
   std::uint32_t triangle = 0;
-  std::int32_t piece = -1;  // index of Bins::pieces; -1 is the whole triangle
+  std::uint32_t place = kWhole;  // a piece's index in Bins::pieces; a fragment's pixel in the image
+  double depth_m = 0.0;          // a fragment's; 0 for what is still to be drawn
+
+  bool is_fragment() const { return depth_m > 0.0; }
+  bool is_piece() const { return !is_fragment() && place != kWhole; }
 };
 
 /// What to draw in each tile: entries [first[t], first[t + 1]) belong to tile t, in the order of
@@ -70,12 +79,15 @@ struct Bins {
 /// Sorts triangles into the tiles of the window, a chunk at a time so that memory stays bounded;
 /// in parallel, with the same bins for any number of threads.
 ///
-/// Left out are triangles that cover no pixel centre by their box, and those of no area once
-/// snapped. A triangle that spans several tiles is entered where its edge functions reach.
+/// Left out are triangles that cover no pixel centre by their box, those of no area once snapped
+/// and those that face the wrong way. A triangle that spans several tiles is entered where its edge
+/// functions reach. With `fragments`, a whole triangle whose box holds one pixel is entered as the
+/// fragment there, or not at all if that lies beyond the camera's far plane.
 class Binner {
  public:
-  Binner(const Geometry& geometry, const Tiling& tiling);
-  /// The bins of triangles [first, first + count), valid until the next call.
+  Binner(const Geometry& geometry, const Tiling& tiling, Facing facing, bool fragments);
+  /// The bins of triangles [first, first + count), valid until the next call. Throws
+  /// std::invalid_argument if one of them names a vertex that the mesh does not have.
   const Bins& bin(std::uint32_t first, std::uint32_t count);
 
  private:
@@ -88,20 +100,24 @@ class Binner {
     std::vector<ClippedPiece> pieces;
     std::vector<std::uint32_t> kept;  // triangles that the filter leaves, from the block's first
     std::vector<std::size_t> places;  // by tile: how many entries; then, where the next one goes
+    bool names_no_vertex = false;     // a triangle of it
   };
 
   void find_candidates(std::uint32_t first, std::uint32_t last, Block& block) const;
   void find_candidate(std::uint32_t triangle, Block& block) const;
   void clip(std::uint32_t triangle, Block& block) const;
   void add(const std::array<ScreenVertex, 3>& corners, BinEntry entry, Block& block) const;
+  bool faces_rightly(std::int64_t signed_area) const;
   std::array<ScreenVertex, 3> corners_of(const Candidate& candidate, const Block& block) const;
   template <class Visit>
   void for_each_tile(const Candidate& candidate, const Block& block, const Visit& visit) const;
   void assign_places(std::size_t block_count);
-  void fill(Block& block, std::int32_t first_piece);
+  void fill(Block& block, std::uint32_t first_piece);
 
   const Geometry& geometry_;
   const Tiling& tiling_;
+  Facing facing_;
+  bool fragments_;
   TriangleFilter filter_;
   FilterTriangles filter_triangles_;
   std::vector<Block> blocks_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "core/camera.h"
@@ -47,8 +48,9 @@ RasterResult rasterise(const TriangleMesh& mesh, const Camera& camera, const Ras
   RasterResult result;
   result.image = HitImage(camera.width_px, camera.height_px);
   result.image.overdraw.assign(result.image.size(), 0);
-  const TileKernel<Keep> kernel(geometry, options.facing, keep, result.image);
-  Binner binner(geometry, tiling);
+  const TileKernel<Keep> kernel(geometry, keep, result.image);
+  constexpr bool kKeepsAll = std::is_same_v<Keep, KeepAll>;
+  Binner binner(geometry, tiling, options.facing, kKeepsAll);
   std::vector<std::int64_t> fragments(tiling.count(), 0);  // by tile
 
   const auto total = static_cast<std::uint32_t>(mesh.triangles.size());
@@ -62,6 +64,7 @@ RasterResult rasterise(const TriangleMesh& mesh, const Camera& camera, const Ras
       fragments[tile] += kernel.draw(bins, bins.of_tile(tile), box);
     });
   }
+  if (kKeepsAll) fill_points(geometry, result.image);
   for (const std::int64_t of_tile : fragments) result.fragments += of_tile;
   return result;
 }

@@ -8,24 +8,10 @@
 namespace plumb::raster {
 namespace {
 
-// Worst case of the bins: every triangle of a chunk in every tile, 8 bytes each, is 1 GiB.
-constexpr std::size_t kMostEntries = std::size_t{1} << 27;
+// Worst case of the bins: every triangle of a chunk in every tile, 16 bytes each, is 1 GiB.
+constexpr std::size_t kMostEntries = std::size_t{1} << 26;
 constexpr std::size_t kLeastChunk = 8192;
 constexpr std::size_t kMostChunk = std::size_t{1} << 19;
-
-bool indices_in_range(const TriangleMesh& mesh) {
-  if (mesh.triangles.empty()) return true;
-  static_assert(sizeof(Triangle) == 3 * sizeof(std::uint32_t));
-  const std::uint32_t* corners = mesh.triangles.front().data();
-  const std::uint32_t most = parallel_ordered_reduce(
-      static_cast<std::int64_t>(3 * mesh.triangles.size()), 196608, std::uint32_t{0},
-      [&](std::int64_t begin, std::int64_t end, std::uint32_t largest) {
-        for (std::int64_t k = begin; k < end; ++k) largest = std::max(largest, corners[k]);
-        return largest;
-      },
-      [](std::uint32_t a, std::uint32_t b) { return std::max(a, b); });
-  return most < mesh.vertices_m.size();
-}
 
 }  // namespace
 
@@ -42,8 +28,6 @@ Geometry make_geometry(const TriangleMesh& mesh, const Camera& camera,
           "a mesh may have at most 2^32 - 2 triangles, got {}", mesh.triangles.size());
   require(options.runs == nullptr || options.runs->mesh().get() == &mesh,
           "runs must be those of the mesh");
-  require(options.runs != nullptr || indices_in_range(mesh),
-          "a triangle names a vertex that the mesh does not have");
   Geometry geometry;
   geometry.mesh = &mesh;
   geometry.projection = make_projection(camera, mesh.origin_m);

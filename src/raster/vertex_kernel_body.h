@@ -2,6 +2,8 @@
 // no inline function that others share.
 #pragma once
 
+#include <cstddef>
+
 #include "raster/vertex_kernel.h"
 
 namespace plumb::raster {
@@ -11,7 +13,7 @@ template <class L>
 class VertexKernel {
   using Real = typename L::Real;
   using Mask = typename L::Mask;
-  static constexpr int kBatch = 64;  // vertices turned from records to columns at a time
+  static constexpr unsigned kAll = (1u << L::kCount) - 1u;
 
   const WindowTransform& to_;
 
@@ -25,19 +27,14 @@ class VertexKernel {
     return L::floor(L::least(L::greatest(scaled, least), most));
   }
 
-  struct Columns {
-    double x[kBatch], y[kBatch], z[kBatch];
-  };
-  struct Out {
-    std::int32_t x[kBatch], y[kBatch];
-    double inverse_depth[kBatch];
-  };
-
-  // Lanes k and following. Returns whether all are usable.
-  bool transform(const Columns& in, int k, Out& out) const {
-    const Real from_x = L::load(in.x + k) + L::all(to_.origin[0]);
-    const Real from_y = L::load(in.y + k) + L::all(to_.origin[1]);
-    const Real from_z = L::load(in.z + k) + L::all(to_.origin[2]);
+  // kCount vertices. Returns whether all are usable.
+  bool transform(const double* vertices, ScreenVertex* window) const {
+    static_assert(sizeof(ScreenVertex) == 16 && offsetof(ScreenVertex, inverse_depth) == 8);
+    Real from_x, from_y, from_z;
+    L::load_points(vertices, from_x, from_y, from_z);
+    from_x = from_x + L::all(to_.origin[0]);
+    from_y = from_y + L::all(to_.origin[1]);
+    from_z = from_z + L::all(to_.origin[2]);
     const Real far = L::all(to_.farthest);
     const Mask usable = L::both(
         L::both(L::less_equal(L::magnitude(from_x), far), L::less_equal(L::magnitude(from_y), far)),
@@ -58,17 +55,14 @@ class VertexKernel {
     const unsigned all_inside = inside[0] & inside[1] & inside[2] & inside[3] & inside[4];
     const Real window_x = L::all(to_.centre_x) + L::all(to_.gamma_h) * (x / w);
     const Real window_y = L::all(to_.centre_y) - L::all(to_.gamma_v) * (y / w);
-    L::store_whole(out.x + k, snapped(window_x));
-    L::store_whole(out.y + k, snapped(window_y));
-    L::store(out.inverse_depth + k, L::all(1.0) / w);
-    constexpr unsigned kAll = (1u << L::kCount) - 1u;
+    L::store_records(window, snapped(window_x), snapped(window_y), L::all(1.0) / w);
     for (unsigned left = kAll & ~all_inside; left; left &= left - 1) {
       const int lane = __builtin_ctz(left);
       unsigned code = 0;
       for (unsigned plane = 0; plane < 5; ++plane) code |= (~inside[plane] >> lane & 1u) << plane;
-      out.x[k + lane] = to_.clipped;
-      out.y[k + lane] = static_cast<std::int32_t>(code);
-      out.inverse_depth[k + lane] = 0.0;
+      window[lane].x = to_.clipped;
+      window[lane].y = static_cast<std::int32_t>(code);
+      window[lane].inverse_depth = 0.0;
     }
     return L::bits(usable) == kAll;
   }
@@ -77,25 +71,19 @@ class VertexKernel {
   explicit VertexKernel(const WindowTransform& to) : to_(to) {}
 
   bool run(const double* vertices, std::int64_t count, ScreenVertex* window) const {
-    Columns in;
-    Out out;
     bool usable = true;
-    for (std::int64_t first = 0; first < count; first += kBatch) {
-      const int here = count - first < kBatch ? static_cast<int>(count - first) : kBatch;
-      for (int k = 0; k < kBatch; ++k) {
-        const double* vertex = vertices + 3 * (first + (k < here ? k : 0));
-        in.x[k] = vertex[0];
-        in.y[k] = vertex[1];
-        in.z[k] = vertex[2];
-      }
-      for (int k = 0; k < here; k += L::kCount) usable &= transform(in, k, out);
-      for (int k = 0; k < here; ++k) {
-        ScreenVertex& to = window[first + k];
-        to.x = out.x[k];
-        to.y = out.y[k];
-        to.inverse_depth = out.inverse_depth[k];
-      }
+    std::int64_t first = 0;
+    for (; first + L::kCount <= count; first += L::kCount)
+      usable &= transform(vertices + 3 * first, window + first);
+    if (first == count) return usable;
+    double last[3 * L::kCount];  // what is left, and the last vertex again
+    ScreenVertex out[L::kCount];
+    for (int k = 0; k < 3 * L::kCount; ++k) {
+      const std::int64_t vertex = first + k / 3 < count ? first + k / 3 : count - 1;
+      last[k] = vertices[3 * vertex + k % 3];
     }
+    usable &= transform(last, out);
+    for (std::int64_t k = first; k < count; ++k) window[k] = out[k - first];
     return usable;
   }
 };

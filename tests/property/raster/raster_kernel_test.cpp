@@ -83,7 +83,12 @@ bool should_keep(const TriangleFilter& filter, const ScreenVertex& a, const Scre
   const unsigned common = outcode_of(a) & outcode_of(b) & outcode_of(c);
   if (a.x == kClipped || b.x == kClipped || c.x == kClipped) return common == 0;
   const PixelBox window{0, 0, filter.last_column, filter.last_row};
-  return !common_part(pixel_box(a, b, c), window).empty();
+  const PixelBox box = pixel_box(a, b, c);
+  if (common_part(box, window).empty()) return false;
+  if (!box.holds_one_pixel()) return true;
+  const EdgeFunctions edges = edge_functions({a, b, c});
+  const auto outside = [&](int i) { return edges.biased(i, box.x0, box.y0) + edges.bias[i] < 0; };
+  return !(outside(0) || outside(1) || outside(2));
 }
 
 TEST(TriangleFilter, KeepsExactlyWhatMayCoverAPixel) {
@@ -98,8 +103,9 @@ TEST(TriangleFilter, KeepsExactlyWhatMayCoverAPixel) {
         corners.push_back(static_cast<std::uint32_t>(vertices.size()));
         vertices.push_back(random_corner(random, x, y));
       }
+      if (random.chance(0.1)) vertices.back() = vertices[vertices.size() - 3];  // no area
     }
-    const TriangleFilter filter{vertices.data(), kClipped, random.integer(0, 70),
+    const TriangleFilter filter{vertices.data(), vertices.size(), kClipped, random.integer(0, 70),
                                 random.integer(0, 70)};
     std::vector<std::uint32_t> expected;
     for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(count); ++k) {
@@ -111,6 +117,23 @@ TEST(TriangleFilter, KeepsExactlyWhatMayCoverAPixel) {
       kept.resize(filter_triangles(set)(filter, corners.data(), static_cast<std::uint32_t>(count),
                                         kept.data()));
       EXPECT_EQ(kept, expected) << name_of(set) << ", round " << round;
+    }
+  }
+}
+
+TEST(TriangleFilter, RefusesAnIndexOutOfRangeWhereverItStands) {
+  const std::vector<ScreenVertex> vertices(5, ScreenVertex{0, 0, 1.0});
+  const TriangleFilter filter{vertices.data(), vertices.size(), kClipped, 9, 9};
+  for (const InstructionSet set : available_instruction_sets()) {
+    std::vector<std::uint32_t> kept(11 + 8);
+    for (std::size_t at = 0; at < 33; ++at) {
+      std::vector<std::uint32_t> corners(33, 4);
+      EXPECT_EQ(filter_triangles(set)(filter, corners.data(), 11, kept.data()), 0u);
+      for (const std::uint32_t bad : {5u, 0x80000000u, 0xffffffffu}) {
+        corners[at] = bad;
+        EXPECT_EQ(filter_triangles(set)(filter, corners.data(), 11, kept.data()), kBadIndex)
+            << name_of(set) << ", index " << at;
+      }
     }
   }
 }
