@@ -121,8 +121,7 @@ bool may_hold(std::span<const float> block, const std::array<std::uint32_t, kRan
   std::uint32_t found = 0;
   for (const float value : block) {
     const std::uint32_t upper = class_of(value);
-    found |= (upper == classes[0]) | (upper == classes[1]) | (upper == classes[2]) |
-             (upper == classes[3]);
+    for (const std::uint32_t one : classes) found |= upper == one ? 1u : 0u;
   }
   return found != 0;
 }

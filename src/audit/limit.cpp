@@ -1,6 +1,8 @@
 // Limits that a user sets.
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "audit/claim_check.h"
 #include "core/check.h"
 #include "core/number_text.h"
@@ -39,7 +41,7 @@ Limit parse_limit(const std::string& text) {
         input_error("limit '{}': expected a number >= 0 after '='", text);
       return {name, *count, Unit::Count};
     }
-    const Tolerance bound = parse_tolerance(value);
+    const Tolerance bound = parse_tolerance(value, fmt::format("limit '{}': bound", text));
     const bool metres_too =
         std::string_view(measure.meaning).find("in m") != std::string_view::npos ||
         name == "surface-error";

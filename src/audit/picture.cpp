@@ -42,6 +42,10 @@ image::AovImage finish(const terrain::Heightfield& field, const HitImage& hits,
     options.low_m = box.low.z;
     options.high_m = box.high.z;
   }
+  if (maker.drape != nullptr && !box.empty()) {
+    const glm::dvec2 origin(field.world_origin_m());
+    options.drape = {maker.drape, origin + glm::dvec2(box.low), origin + glm::dvec2(box.high)};
+  }
   const image::ColourImage colours = raster::shade(hits, camera, normals, options);
   image::PixelAttributes attributes;
   attributes.normals = normals;

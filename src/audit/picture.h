@@ -24,6 +24,8 @@ struct PictureMaker {
   terrain::Diagonal diagonal = terrain::Diagonal::Alternating;  // of the full-detail surface
   std::string program_version;
   std::string scene_toml;  // the scene that draws it again (scene.h); empty where there is none
+  /// Laid over the whole terrain in place of the tint, its top side in the north; null: none.
+  const image::ColourImage* drape = nullptr;
 };
 
 /// The picture of a surface that was drawn: R G B, Z, P, N, id, lod and, where fragments were

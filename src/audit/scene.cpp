@@ -84,7 +84,9 @@ constexpr Key kMethodKeys[] = {
     {"name", [](Place& p, const TomlValue& v) { p.scene.method = word_in(v); }},
     {"variant", [](Place& p, const TomlValue& v) { p.scene.choice.variant = word_in(v); }},
     {"tolerance",
-     [](Place& p, const TomlValue& v) { p.scene.tolerance = parsed(v, parse_tolerance); }},
+     [](Place& p, const TomlValue& v) {
+       p.scene.tolerance = parsed(v, [](const std::string& t) { return parse_tolerance(t); });
+     }},
     {"parameters",
      [](Place& p, const TomlValue& v) {
        for (const auto& [key, value] : table_in(v))
@@ -100,6 +102,7 @@ constexpr Key kRenderKeys[] = {
          input_error("{}: expected \"method\" or \"truth\", got \"{}\"", v.where, what);
        p.scene.painter = what == "truth" ? Painter::Truth : Painter::Method;
      }},
+    {"drape", [](Place& p, const TomlValue& v) { p.scene.drape = source_in(v, p.folder); }},
 };
 
 template <std::size_t N>

@@ -27,6 +27,7 @@ struct Scene {
   std::string method;   // may be empty for the truth
   MethodChoice choice;  // variant and parameters
   Tolerance tolerance;  // of the method
+  std::string drape;    // a picture laid over the ground in place of the tint; empty: none
 };
 
 /// Reads a scene from TOML:
@@ -38,7 +39,9 @@ struct Scene {
 ///   [camera]             as in a camera file
 ///   [method]             name, variant, tolerance = "1px"
 ///   [method.parameters]  as the method names them
-///   [render]             what = "method" (if left out) or "truth"
+///   [render]             what = "method" (if left out) or "truth"; drape = a picture (PNG, JPEG,
+///                        TIFF, EXR), looked for beside the scene, laid over the whole terrain with
+///                        its top side in the north
 ///
 /// Throws InputError, one line with the file and the place in it, for anything else: an unknown key
 /// is an error that names the known ones. Whether method, variant and parameters exist is seen when

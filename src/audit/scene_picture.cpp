@@ -3,20 +3,16 @@
 #include <memory>
 #include <utility>
 
+#include "audit/frame_memory.h"
 #include "audit/picture.h"
 #include "audit/surface_picture.h"
-#include "core/memory.h"
 #include "core/stopwatch.h"
+#include "image/image_files.h"
 #include "reference/pyramid_caster.h"
 #include "terrain/terrain_source.h"
 
 namespace plumb::audit {
 namespace {
-
-// Hits, normals, patches and levels, colours and channels of a pixel, and a file's copy of them.
-constexpr std::int64_t kBytesPerPixel =
-    sizeof(double) + sizeof(glm::dvec3) + sizeof(std::uint32_t) + sizeof(std::uint16_t) +
-    sizeof(glm::dvec3) + 2 * sizeof(int) + (3 + 13 + 13) * sizeof(float);
 
 PictureMaker maker_of(const Scene& scene, terrain::Diagonal diagonal,
                       const std::string& program_version) {
@@ -61,6 +57,8 @@ SceneDrawer::SceneDrawer(terrain::Heightfield field, Scene scene, const MethodTa
       program_version_(std::move(program_version)) {
   scene_.terrain = field_->provenance.source;
   scene_.diagonal = name_of(diagonal_);
+  if (!scene_.drape.empty())
+    drape_ = std::make_unique<const image::ColourImage>(image::read_colour(scene_.drape));
   if (scene_.painter == audit::Painter::Method)
     scene_.choice = resolved_choice(*method_, std::move(scene_.choice));
 }
@@ -91,9 +89,7 @@ DrawnScene SceneDrawer::draw(const CameraDescription& camera, const StepListener
   const PlacedCamera placed = place_camera(camera, *field_);
   drawn.camera = placed.camera;
   drawn.scene.camera = placed.description;
-  const int width_px = drawn.camera.width_px, height_px = drawn.camera.height_px;
-  require_memory(kBytesPerPixel * width_px * height_px,
-                 fmt::format("a picture of {} x {} pixels", width_px, height_px));
+  require_frame_memory(drawn.camera, kPictureBytes);
   step(by_rays ? "casting rays" : "drawing the surface");
   if (!painter_) prepare();
   Stopwatch watch;
@@ -108,7 +104,8 @@ DrawnScene SceneDrawer::draw(const CameraDescription& camera, const StepListener
   drawn.times.prepare_s = prepare_s_;
   drawn.times.draw_s = watch.lap_s();
   step("making the picture");
-  const PictureMaker maker = maker_of(drawn.scene, diagonal_, program_version_);
+  PictureMaker maker = maker_of(drawn.scene, diagonal_, program_version_);
+  maker.drape = drape_.get();
   drawn.picture = by_rays ? draw_truth_picture(*field_, drawn.hits, drawn.camera, maker)
                           : draw_picture(*field_, drawn.hits, drawn.surface, drawn.camera, maker);
   drawn.times.picture_s = watch.lap_s();

@@ -40,8 +40,8 @@ using StepListener = std::function<void(const std::string&)>;
 class SceneDrawer {
  public:
   /// field  the terrain, read as scene.read says
-  /// Keeps a reference to the table. Throws InputError for a method, a diagonal, a variant or a
-  /// parameter that is not there.
+  /// Keeps a reference to the table. Throws InputError for a method, a diagonal, a variant, a
+  /// parameter or a drape that is not there.
   SceneDrawer(terrain::Heightfield field, Scene scene, const MethodTable& table,
               std::string program_version);
   ~SceneDrawer();
@@ -60,6 +60,7 @@ class SceneDrawer {
   const Method* method_;  // null where rays draw without one
   terrain::Diagonal diagonal_;
   std::string program_version_;
+  std::unique_ptr<const image::ColourImage> drape_;  // null where the scene has none
   std::unique_ptr<const Painter> painter_;
   double prepare_s_ = 0.0;
 };

@@ -119,10 +119,10 @@ std::string to_toml(const Scene& scene) {
   write_terrain(to, scene);
   write_camera(to, scene.camera);
   write_method(to, scene);
-  if (scene.painter == Painter::Truth) {
-    to.table("render");
-    to.text("what", "truth");
-  }
+  const bool by_rays = scene.painter == Painter::Truth;
+  if (by_rays || !scene.drape.empty()) to.table("render");
+  if (by_rays) to.text("what", "truth");
+  to.text("drape", scene.drape);
   return to.result();
 }
 

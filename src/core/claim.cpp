@@ -35,7 +35,7 @@ const char* name_of(Unit unit) {
 
 const char* name_of(Scope scope) { return scope == Scope::Frame ? "frame" : "patch"; }
 
-Tolerance parse_tolerance(const std::string& text) {
+Tolerance parse_tolerance(const std::string& text, const std::string& named) {
   Tolerance tolerance;
   std::string number = text;
   if (text.ends_with("px")) {
@@ -45,11 +45,11 @@ Tolerance parse_tolerance(const std::string& text) {
     tolerance.unit = Unit::Metre;
     number.resize(text.size() - 1);
   } else {
-    input_error("tolerance '{}': expected a number with its unit, such as 1px or 5m", text);
+    input_error("{} '{}': expected a number with its unit, such as 1px or 5m", named, text);
   }
   const auto value = parse_number(number);
   if (!value || !std::isfinite(*value) || *value < 0.0) {
-    input_error("tolerance '{}': expected a finite number >= 0 before '{}'", text,
+    input_error("{} '{}': expected a finite number >= 0 before '{}'", named, text,
                 name_of(tolerance.unit));
   }
   tolerance.value = *value;

@@ -44,8 +44,8 @@ const char* name_of(Unit unit);        // "m", "px", ""
 const char* name_of(Scope scope);      // "frame", "patch"
 
 /// "1px", "0.5px", "5m". Throws InputError for anything else, negative or not finite numbers
-/// included.
-Tolerance parse_tolerance(const std::string& text);
+/// included; its line begins with what the text is `named`.
+Tolerance parse_tolerance(const std::string& text, const std::string& named = "tolerance");
 std::string to_text(const Tolerance& tolerance);
 
 }  // namespace plumb

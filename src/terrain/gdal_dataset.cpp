@@ -5,6 +5,7 @@
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
+#include <array>
 #include <cmath>
 #include <mutex>
 
@@ -62,8 +63,15 @@ void register_formats() {
 Dataset open_dataset(const std::string& file, const Complaints& complaints) {
   register_formats();
   constexpr unsigned kFlags = GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR;
-  Dataset dataset(
-      static_cast<GDALDataset*>(GDALOpenEx(file.c_str(), kFlags, nullptr, nullptr, nullptr)));
+  const auto open = [&](const char* const* options) {
+    return Dataset(
+        static_cast<GDALDataset*>(GDALOpenEx(file.c_str(), kFlags, nullptr, options, nullptr)));
+  };
+  Dataset dataset = open(nullptr);
+  // GDAL looks at the numbers of a text grid and may settle for a type that has no NaN or infinity.
+  constexpr std::array<const char*, 2> kInDouble{"DATATYPE=Float64", nullptr};
+  if (dataset && dataset->GetDriver()->GetDescription() == std::string("AAIGrid"))
+    dataset = open(kInDouble.data());
   if (!dataset) {
     input_error("{}: no elevation file that can be read{}", file, complaints.text());
   }

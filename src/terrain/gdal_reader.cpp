@@ -197,8 +197,13 @@ Heightfield read_reprojected(Heightfield field, GDALDataset& source, const Windo
   field.provenance.voids_declared = result.provenance.voids_declared;
   field.provenance.voids_not_finite = 0;
   field.provenance.assumptions.push_back(
-      fmt::format("GDAL's warper resampled the heights (bilinear) from {} into {}",
-                  field.provenance.crs, options.crs));
+      fmt::format("GDAL's warper resampled the heights (bilinear) from {} into {}: a new grid of "
+                  "{} x {} samples, counted from its own corner",
+                  field.provenance.crs, options.crs, all.width, all.height));
+  field.provenance.crs = options.crs;
+  field.provenance.file_columns = all.width;
+  field.provenance.file_rows = all.height;
+  field.provenance.window_x = field.provenance.window_y = 0;
   result.provenance = std::move(field.provenance);
   settle(result, placement);
   return result;

@@ -42,11 +42,11 @@ constexpr bool rises_north_east(Diagonal diagonal, int i, int j) {
 struct Provenance {
   std::string source;                   // the argument that gives this terrain again
   std::string format;                   // "GTiff", "PNG", "generated", ...
-  int file_columns = 0, file_rows = 0;  // of the whole file
+  int file_columns = 0, file_rows = 0;  // of the whole file, or of the grid made by reprojecting it
   int window_x = 0,
       window_y =
           0;  // of the part that was read, in the file's own columns and rows, from its top left
-  std::string crs;            // as the file states it; empty if it does not
+  std::string crs;            // as the file or the user states it; empty if neither does
   double height_scale = 1.0;  // metres per stored unit, as applied
   double height_offset_m = 0.0;
   std::int64_t voids_declared = 0;  // samples equal to the file's no-data value (or NaN there)

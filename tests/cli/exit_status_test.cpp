@@ -66,5 +66,25 @@ TEST(ExitStatus, IsTwoForATerrainThatDoesNotFitIntoMemory) {
   expect_one_error_line(run_small("info 'generate:plane?size=30000'"), "bytes");
 }
 
+// 65536 x 65536 pixels take more than a hundred gigabytes.
+TEST(ExitStatus, IsTwoForAPictureThatDoesNotFitIntoMemory) {
+  const std::string terrain = "generate:alpine?size=33", size = "65536x65536";
+  expect_one_error_line(run_plumb({"truth", terrain, "--size", size}), "bytes");
+  expect_one_error_line(run_plumb({"audit", terrain, "--tolerance", "1px", "--size", size}),
+                        "bytes");
+  expect_one_error_line(run_plumb({"render", terrain, "--size", size, "-o", "-"}), "bytes");
+}
+
+TEST(ExitStatus, IsTwoForALimitWithoutItsUnitWhichIsNamed) {
+  expect_one_error_line(run_plumb({"audit", "generate:alpine?size=33", "--tolerance", "1px",
+                                   "--limit", "pixel-error=1"}),
+                        "limit 'pixel-error=1'");
+}
+
+TEST(ExitStatus, IsTwoForAFolderOnStandardOutput) {
+  expect_one_error_line(
+      run_plumb({"audit", "generate:alpine?size=33", "--tolerance", "1px", "-o", "-"}), "folder");
+}
+
 }  // namespace
 }  // namespace plumb::testing

@@ -47,6 +47,38 @@ TEST(RenderCommand, WritesTheFileThatItIsAskedFor) {
   EXPECT_EQ(piped.out, bytes_of(folder.file("a.exr")));
 }
 
+TEST(RenderCommand, LaysAPictureOverTheGround) {
+  const TemporaryFolder folder;
+  const std::string drape = folder.file("drape.png");
+  ASSERT_EQ(run_plumb({"info", kTerrain, "--preview", drape}).status, 0);
+  const std::vector<std::string> plain{"--size", "64x36"};
+  const std::vector<std::string> draped{"--size", "64x36", "--drape", drape};
+  EXPECT_EQ(run_plumb(render(folder.file("plain.png"), plain)).status, 0);
+  EXPECT_EQ(run_plumb(render(folder.file("draped"), draped)).status, 0);
+  const std::string picture = bytes_of(folder.file("draped/picture.png"));
+  EXPECT_NE(picture, bytes_of(folder.file("plain.png")));
+  // From the scene that was written, and by rays.
+  EXPECT_EQ(
+      run_plumb(render(folder.file("again.png"), {}, folder.file("draped/scene.toml"))).status, 0);
+  EXPECT_EQ(bytes_of(folder.file("again.png")), picture);
+  const CommandResult truth = run_plumb(
+      {"truth", kTerrain, "--size", "64x36", "--drape", drape, "-o", folder.file("truth.png")});
+  EXPECT_EQ(truth.status, 0) << truth.err;
+  const CommandResult none = run_plumb(render(folder.file("none.png"), {"--drape", "nowhere.png"}));
+  EXPECT_EQ(none.status, 2);
+  EXPECT_FALSE(std::filesystem::exists(folder.file("none.png")));
+}
+
+TEST(TruthCommand, WritesToStandardOutputWhatItWritesToAFile) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> cast{"truth", kTerrain, "--size", "64x36", "-o"};
+  std::vector<std::string> piped = cast, filed = cast;
+  piped.push_back("-");
+  filed.push_back(folder.file("a.exr"));
+  EXPECT_EQ(run_plumb(filed).status, 0);
+  EXPECT_EQ(run_plumb(piped).out, bytes_of(folder.file("a.exr")));
+}
+
 TEST(RenderCommand, DrawsTheSameFromTheSceneThatItWrote) {
   const TemporaryFolder folder;
   const std::vector<std::string> options{"--size",      "64x36", "--camera", "valley",

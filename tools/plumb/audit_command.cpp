@@ -7,9 +7,11 @@
 #include "audit/audit.h"
 #include "audit/audit_json.h"
 #include "audit/audit_page.h"
+#include "audit/frame_memory.h"
 #include "audit_text.h"
 #include "command.h"
 #include "common_options.h"
+#include "core/check.h"
 #include "core/parallel.h"
 #include "core/stopwatch.h"
 #include "method_options.h"
@@ -177,6 +179,8 @@ int audit_path(Run& run, const std::vector<Camera>& frames) {
 
 int run_audit(const AuditCommandOptions& options, const Invocation& invocation) {
   const ThreadLimit limit(options.threads);
+  if (options.output == "-")
+    input_error("-o -: audit writes several files, expected a folder (--json prints one object)");
   const MethodRequest request = method_request(options.method);
   const audit::AuditOptions measures = audit_options(options, request);
   const std::vector<audit::CameraDescription> described = camera_frames(options.camera);
@@ -184,8 +188,10 @@ int run_audit(const AuditCommandOptions& options, const Invocation& invocation) 
   progress.step("reading the terrain");
   const terrain::Heightfield field = load(options.terrain);
   std::vector<Camera> frames;  // a camera that is none is known before anything is drawn
-  for (const audit::CameraDescription& frame : described)
+  for (const audit::CameraDescription& frame : described) {
     frames.push_back(audit::place_camera(frame, field).camera);
+    audit::require_frame_memory(frames.back(), audit::kAuditBytes);
+  }
   const terrain::Diagonal diagonal = options.terrain.diagonal.empty()
                                          ? request.method->truth
                                          : terrain::parse_diagonal(options.terrain.diagonal);

@@ -140,6 +140,12 @@ void add_output_option(Options& options, std::string& output, const std::string&
   options.text(output, "-o,--output", "PATH", help);
 }
 
+void add_drape_option(Options& options, std::string& drape) {
+  options.text(drape, "--drape", "PICTURE",
+               "Lay this picture over the whole terrain, its top side in the north, in place of "
+               "height colours");
+}
+
 ImageSize parse_size(const std::string& text) {
   const std::size_t cross = text.find('x');
   if (cross != std::string::npos) {

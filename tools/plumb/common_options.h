@@ -64,6 +64,9 @@ void add_json_option(Options& options, bool& json);
 /// -o, --output.
 void add_output_option(Options& options, std::string& output, const std::string& help);
 
+/// --drape.
+void add_drape_option(Options& options, std::string& drape);
+
 /// "1920x1080". Throws InputError unless both are whole numbers from 1 to 65536.
 struct ImageSize {
   int width_px = 0, height_px = 0;

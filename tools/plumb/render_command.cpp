@@ -31,7 +31,7 @@ struct RenderOptions {
   TerrainOptions terrain;
   MethodOptions method;
   CameraOptions camera;
-  std::string output, mesh;
+  std::string output, mesh, drape;
   bool json = false;
   int threads = 0;
 };
@@ -41,9 +41,10 @@ audit::Scene scene_from_file(const RenderOptions& options) {
   TerrainOptions nothing_else;
   nothing_else.terrain = options.terrain.terrain;
   if (!(options.terrain == nothing_else && options.method == MethodOptions{} &&
-        options.camera == CameraOptions{})) {
-    input_error("{}: a scene says terrain, method and camera itself: leave their options out",
-                options.terrain.terrain);
+        options.camera == CameraOptions{} && options.drape.empty())) {
+    input_error(
+        "{}: a scene says terrain, method, camera and drape itself: leave their options out",
+        options.terrain.terrain);
   }
   return audit::read_scene_file(options.terrain.terrain);
 }
@@ -58,6 +59,7 @@ audit::Scene scene_of(const RenderOptions& options) {
   scene.method = request.method->name;
   scene.choice = request.choice;
   scene.tolerance = request.tolerance;
+  scene.drape = options.drape;
   return scene;
 }
 
@@ -267,6 +269,7 @@ Command render_command() {
     add_terrain_options(options, values->terrain, false);
     add_method_options(options, values->method);
     add_camera_options(options, values->camera);
+    add_drape_option(options, values->drape);
     options.group("Output");
     add_output_option(options, values->output,
                       ".exr with every channel, .png as a preview, - for the EXR on standard "

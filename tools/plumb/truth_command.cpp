@@ -9,6 +9,7 @@
 #include <span>
 
 #include "audit/caster_agreement.h"
+#include "audit/frame_memory.h"
 #include "audit/picture.h"
 #include "audit/scene.h"
 #include "command.h"
@@ -32,7 +33,7 @@ struct TruthOptions {
   TerrainOptions terrain;
   CameraOptions camera;
   std::string caster = "pyramid";
-  std::string output;
+  std::string output, drape;
   bool witness = false;
   bool json = false;
   int threads = 0;
@@ -72,27 +73,41 @@ audit::Scene scene_of(const TruthOptions& options, const terrain::Heightfield& f
   scene.diagonal = options.terrain.diagonal;
   scene.camera = view.description;
   scene.painter = audit::Painter::Truth;
+  scene.drape = options.drape;
   return scene;
 }
 
-void write_picture(const TruthOptions& options, const terrain::Heightfield& field,
-                   const HitImage& hits, const audit::PlacedCamera& view) {
-  const std::string& path = options.output;
+enum class Target { None, Exr, Png, StandardOutput };
+
+Target target_of(const TruthOptions& options) {
+  if (options.output.empty()) return Target::None;
+  if (options.output == "-") {
+    if (options.json) input_error("-o - and --json cannot both have the standard output");
+    return Target::StandardOutput;
+  }
+  const std::string extension = std::filesystem::path(options.output).extension().string();
+  if (extension == ".exr") return Target::Exr;
+  if (extension == ".png") return Target::Png;
+  input_error(
+      "-o '{}': expected a name that ends in .exr (all channels) or .png (a preview), or - for the "
+      "EXR on standard output",
+      options.output);
+}
+
+// `drape` may be null.
+void write_picture(const TruthOptions& options, Target target, const terrain::Heightfield& field,
+                   const HitImage& hits, const audit::PlacedCamera& view,
+                   const image::ColourImage* drape) {
   audit::PictureMaker maker;
   maker.method = "truth";
   maker.diagonal = terrain::parse_diagonal(options.terrain.diagonal);
   maker.program_version = version_number();
   maker.scene_toml = audit::to_toml(scene_of(options, field, view));
+  maker.drape = drape;
   const image::AovImage picture = audit::draw_truth_picture(field, hits, view.camera, maker);
-  const std::string extension = std::filesystem::path(path).extension().string();
-  if (extension == ".exr") {
-    image::write_exr(path, picture);
-  } else if (extension == ".png") {
-    image::write_png(path, audit::preview_of(picture));
-  } else {
-    input_error("-o '{}': expected a name that ends in .exr (all channels) or .png (a preview)",
-                path);
-  }
+  if (target == Target::Exr) image::write_exr(options.output, picture);
+  if (target == Target::Png) image::write_png(options.output, audit::preview_of(picture));
+  if (target == Target::StandardOutput) std::cout << image::exr_bytes(picture);
 }
 
 std::uint64_t checksum(const HitImage& hits) {
@@ -143,12 +158,17 @@ std::string truth_json(const TruthOptions& options, const Invocation& invocation
 
 int run_truth(const TruthOptions& options, const Invocation& invocation) {
   const ThreadLimit limit(options.threads);
+  const Target target = target_of(options);
+  std::optional<image::ColourImage> drape;
+  if (!options.drape.empty()) drape = image::read_colour(options.drape);
   Progress progress;
   progress.step("reading the terrain");
   const terrain::Heightfield field = load(options.terrain);
   const terrain::Diagonal diagonal = terrain::parse_diagonal(options.terrain.diagonal);
   const audit::PlacedCamera view = placed_camera(options.camera, field);
   const Camera& camera = view.camera;
+  audit::require_frame_memory(camera, (options.witness ? 2 : 1) * audit::kHitBytes +
+                                          (target == Target::None ? 0 : audit::kPictureBytes));
   progress.step("casting rays");
   const Cast found = cast(options.caster, field, diagonal, camera);
   std::int64_t hits = 0;
@@ -160,15 +180,17 @@ int run_truth(const TruthOptions& options, const Invocation& invocation) {
         cast(options.caster == "embree" ? "pyramid" : "embree", field, diagonal, camera);
     agreement = audit::compare_casters(found.hits, other.hits, camera);
   }
-  if (!options.output.empty()) {
+  if (target != Target::None) {
     progress.step("writing the picture");
-    write_picture(options, field, found.hits, view);
+    write_picture(options, target, field, found.hits, view, drape ? &*drape : nullptr);
   }
   progress.finish();
+  const int status = agreement && !agreement->agrees() ? 1 : 0;
+  if (target == Target::StandardOutput) return status;
   const audit::CasterAgreement* judged = agreement ? &*agreement : nullptr;
   std::cout << (options.json ? truth_json(options, invocation, found, hits, judged)
                              : truth_text(options, found, hits, judged));
-  return judged != nullptr && !judged->agrees() ? 1 : 0;
+  return status;
 }
 
 }  // namespace
@@ -192,7 +214,9 @@ Command truth_command() {
     options.flag(values->witness, "--witness", "Ask the other caster as well and compare");
     options.group("Output");
     add_output_option(options, values->output,
-                      "Write the picture: .exr with every channel, or .png as a preview");
+                      "Write the picture: .exr with every channel, .png as a preview, or - for the "
+                      "EXR on standard output");
+    add_drape_option(options, values->drape);
     add_json_option(options, values->json);
     add_threads_option(options, values->threads);
     return [values](const Invocation& invocation) { return run_truth(*values, invocation); };

@@ -58,6 +58,36 @@ TEST(GdalPlace, PixelsThatArePointsStandWherePixelsThatAreAreasDo) {
   EXPECT_EQ(point.heights_m, area.heights_m);
 }
 
+TEST(GdalPlace, AReprojectedGridIsCountedFromItsOwnCorner) {
+  GeoTiff tiff = grid(40, 30);
+  tiff.crs = "EPSG:4326";
+  tiff.transform = {{8.0, 0.001, 0.0, 46.0, 0.0, -0.001}};
+  ReadOptions options;
+  options.crs = "EPSG:32632";
+  options.window = Window{5, 5, 30, 20};
+  const Heightfield field = reload(tiff, options);
+  EXPECT_EQ(field.provenance.crs, "EPSG:32632");
+  EXPECT_EQ(field.provenance.file_columns, field.columns());
+  EXPECT_EQ(field.provenance.file_rows, field.rows());
+  EXPECT_EQ(field.provenance.window_x, 0);
+  EXPECT_EQ(field.provenance.window_y, 0);
+}
+
+// GDAL would call the first grid one of integers, which have no NaN, and the second one of float32.
+TEST(GdalPlace, TextThatIsNoNumberOrInfiniteIsVoid) {
+  const TemporaryFolder folder;
+  for (const char* first : {"1", "1.5"}) {
+    write_text(folder.file("g.asc"),
+               std::string("ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 30\n") + first +
+                   " nan 3\n4 inf 6\n");
+    const Heightfield field = load_terrain(folder.file("g.asc"));
+    EXPECT_EQ(field.provenance.voids_not_finite, 2) << first;
+    EXPECT_EQ(field.heights_m(0, 1), std::stof(first));
+    EXPECT_TRUE(std::isnan(field.heights_m(1, 0)));
+    EXPECT_TRUE(std::isnan(field.heights_m(1, 1)));
+  }
+}
+
 TEST(GdalPlace, RowsThatRunNorthAreNotFlipped) {
   GeoTiff tiff = grid(2, 2);
   tiff.crs = "EPSG:32611";
