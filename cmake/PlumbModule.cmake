@@ -31,7 +31,7 @@ function(plumb_kernel SET)
   set(avx512 -mavx512f -mavx512dq -mavx512vl -mavx512bw)
   set(flags ${${SET}})
   if(SET STREQUAL "avx512" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    list(APPEND flags -Wno-maybe-uninitialized)  # gcc 12's own intrinsics
+    list(APPEND flags -Wno-maybe-uninitialized -Wno-uninitialized)  # gcc 12's own intrinsics
   endif()
   set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${flags}")
 endfunction()
