@@ -49,4 +49,18 @@ MeshFile read_mesh(const std::string& path, const MeshReadOptions& options = {})
 /// nothing.
 std::optional<std::string> misplacement(const TriangleMesh& mesh, const Heightfield& field);
 
+/// Makes the mesh's vertices relative to the terrain's origin, if they are not.
+///
+///   (1) A vertex whose x is that of a column of samples but for the rounding of large numbers in
+///       double (kPlaceRoundings times 2^-52 of its coordinate in the file, or of the shift if that
+///       is more) has exactly the column's x afterwards; so with y and rows. Else a vertex at the
+///       rim could lie inside it by 1e-10 m and leave the rim's samples bare.
+///   (2) A mesh that has the terrain's origin is left as it is.
+void move_to_origin_of(const Heightfield& field, TriangleMesh& mesh);
+
+/// With M the larger of the file's number and the shift: the multiple of the spacing that the
+/// writer rounded is off by at most 2^-52 M, his sum by half of that, the shifted number here and
+/// the multiple here by 2^-52 M each; 3.5 in all.
+inline constexpr double kPlaceRoundings = 4.0;
+
 }  // namespace plumb::terrain

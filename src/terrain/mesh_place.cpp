@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "terrain/mesh_file.h"
 
@@ -30,6 +32,15 @@ PlanBox box_of(const Heightfield& field) {
                                                       field.cell_rows() * field.dy_m)};
 }
 
+// A coordinate relative to the terrain's origin; a sample's, if rounding alone keeps it from that.
+double settled(double in_file, double shift, double spacing) {
+  const double moved = in_file + shift;
+  const double sample = std::round(moved / spacing) * spacing;
+  const double rounding = kPlaceRoundings * std::numeric_limits<double>::epsilon() *
+                          std::max(std::abs(in_file), std::abs(shift));
+  return std::abs(moved - sample) <= rounding ? sample : moved;
+}
+
 }  // namespace
 
 std::optional<std::string> misplacement(const TriangleMesh& mesh, const Heightfield& field) {
@@ -48,6 +59,16 @@ std::optional<std::string> misplacement(const TriangleMesh& mesh, const Heightfi
       "seen from above, mesh and terrain {}: the mesh lies at {}, the terrain at {} m; look at the "
       "mesh's place (--mesh-origin), its upward axis (--mesh-up) and its unit (metres)",
       overlap, a.text(), b.text());
+}
+
+void move_to_origin_of(const Heightfield& field, TriangleMesh& mesh) {
+  const glm::dvec2 shift(mesh.origin_m.x - field.origin_m.x, mesh.origin_m.y - field.origin_m.y);
+  if (shift == glm::dvec2(0.0)) return;
+  for (glm::dvec3& p : mesh.vertices_m) {
+    p.x = settled(p.x, shift.x, field.dx_m);
+    p.y = settled(p.y, shift.y, field.dy_m);
+  }
+  mesh.origin_m = {field.origin_m, mesh.origin_m.z};
 }
 
 }  // namespace plumb::terrain

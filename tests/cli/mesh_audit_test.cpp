@@ -102,8 +102,10 @@ TEST(MeshAudit, SaysThatItTookTheFilesOwnOrigin) {
 TEST(MeshAudit, FindsNoErrorInAnExactMeshFarFromZero) {
   const TemporaryFolder folder;
   const std::string mesh = folder.file("a.obj");
-  write_full_obj(kUtm, mesh, 0.0, 0.0);
-  expect_exact(audit_json(kUtm, {"--mesh", mesh}, 0));
+  for (const std::string& terrain : {kUtm, kUtm + "&spacing=0.7"}) {
+    write_full_obj(terrain, mesh, 0.0, 0.0);
+    expect_exact(audit_json(terrain, {"--mesh", mesh}, 0));
+  }
   write_full_obj(kUtm, mesh, 500000.0, 4500000.0);
   expect_exact(audit_json(kUtm, {"--mesh", mesh, "--mesh-origin", "500000,4500000,0"}, 0));
 }

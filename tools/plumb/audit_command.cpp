@@ -52,6 +52,7 @@ Subject read_subject(const AuditCommandOptions& options, const terrain::Heightfi
   terrain::MeshFile file = terrain::read_mesh(options.mesh_file, read);
   Subject subject;
   if (auto hint = terrain::misplacement(file.mesh, field)) subject.hints.push_back(*hint);
+  terrain::move_to_origin_of(field, file.mesh);
   progress.finish();
   for (const std::string& line : file.warnings) warn(line);
   for (const std::string& line : subject.hints) warn(line);

@@ -54,5 +54,32 @@ TEST(MeshPlace, KnowsAWallFromAboveToo) {
   EXPECT_TRUE(misplacement(mesh({150, 0, 0}, {150, 100, 9}, kOrigin), terrain()));
 }
 
+// 500000 + 0.7 k in double, less 500000, is not 0.7 k.
+TEST(MeshPlace, PutsVerticesOfSamplesWhereTheSamplesAre) {
+  Heightfield field = terrain();
+  field.dx_m = field.dy_m = 0.7;
+  TriangleMesh full;
+  int off = 0;
+  for (int k = 0; k < 11; ++k) {
+    full.vertices_m.emplace_back(500000.0 + k * 0.7, 4500000.0 + k * 0.7, 1.0);
+    off += full.vertices_m.back().x - 500000.0 != k * 0.7 ? 1 : 0;
+  }
+  full.vertices_m.emplace_back(500000.7 + 1e-8, 4500000.3, 1.0);  // of no sample
+  ASSERT_GT(off, 0);
+  move_to_origin_of(field, full);
+  EXPECT_EQ(full.origin_m, kOrigin);
+  for (int k = 0; k < 11; ++k)
+    EXPECT_EQ(full.vertices_m[static_cast<std::size_t>(k)], glm::dvec3(k * 0.7, k * 0.7, 1.0));
+  EXPECT_EQ(full.vertices_m[11], glm::dvec3(500000.7 + 1e-8 - 500000.0, 4500000.3 - 4500000.0, 1));
+}
+
+TEST(MeshPlace, LeavesAMeshThatHasTheTerrainsOrigin) {
+  TriangleMesh near = mesh({1e-15, 10 + 2e-15, 0}, {100, 100, 9}, kOrigin + glm::dvec3(0, 0, 5));
+  const TriangleMesh before = near;
+  move_to_origin_of(terrain(), near);
+  EXPECT_EQ(near.vertices_m, before.vertices_m);
+  EXPECT_EQ(near.origin_m, before.origin_m);
+}
+
 }  // namespace
 }  // namespace plumb::terrain
