@@ -129,7 +129,9 @@ std::string audit_json(const AuditResult& result, const AuditSubject& subject) {
   json["method"] = {{"name", subject.method},
                     {"variant", subject.variant},
                     {"parameters", subject.parameters},
-                    {"tolerance", to_text(subject.tolerance)}};
+                    {"tolerance", to_text(subject.tolerance)},
+                    {"assumptions", subject.assumptions},
+                    {"hints", subject.hints}};
   json["camera"] = camera_json(subject);
   json["claims"] = Json::array();
   for (const ClaimResult& claim : result.claims) json["claims"].push_back(claim_json(claim));

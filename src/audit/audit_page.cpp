@@ -144,6 +144,8 @@ std::vector<report::KeyValue> subject_entries(const AuditResult& result,
       {"made again by", subject.command}};
   for (const std::string& assumption : field.provenance.assumptions)
     entries.push_back({"assumed", assumption});
+  for (const std::string& assumption : subject.assumptions)
+    entries.push_back({"assumed", assumption});
   return entries;
 }
 
@@ -177,6 +179,7 @@ report::HtmlPage page_of(const AuditResult& result, const AuditSubject& subject,
                                     subject.field->provenance.source));
   page.add_verdict(result.holds() ? report::Verdict::Held : report::Verdict::Broken,
                    verdict_sentence(result));
+  for (const std::string& hint : subject.hints) page.add_paragraph(hint);
   page.add_table(claims_table(result));
   page.add_viewer(viewer);
   page.add_offenders(offender_list(result, subject));

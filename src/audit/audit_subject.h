@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "core/camera.h"
 #include "core/claim.h"
@@ -19,7 +20,9 @@ struct AuditSubject {
   Tolerance tolerance;
   Camera camera;  // world coordinates
   std::string camera_name;
-  std::string command;  // the command line that makes the result again
+  std::string command;                        // the command line that makes the result again
+  std::vector<std::string> assumptions = {};  // about a mesh from a file, one sentence each
+  std::vector<std::string> hints = {};        // what to look at first if the result surprises
 };
 
 }  // namespace plumb::audit

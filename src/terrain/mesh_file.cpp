@@ -1,68 +1,110 @@
 #include "terrain/mesh_file.h"
 
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
+#include <fmt/format.h>
 
-#include <assimp/Importer.hpp>
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <utility>
 
 #include "core/check.h"
+#include "terrain/forward_file.h"
+#include "terrain/mesh_assimp.h"
+#include "terrain/mesh_obj.h"
+#include "terrain/mesh_ply.h"
+#include "terrain/ply_header.h"
+#include "terrain/polygon_soup.h"
 
 namespace plumb::terrain {
 namespace {
 
-void add_mesh(const aiMesh& from, const aiMatrix4x4& transform, const MeshReadOptions& options,
-              const std::string& path, TriangleMesh& mesh) {
-  const auto first = static_cast<std::uint32_t>(mesh.vertices_m.size());
-  for (unsigned v = 0; v < from.mNumVertices; ++v) {
-    const aiVector3D p = transform * from.mVertices[v];
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
-      input_error("mesh '{}': vertex {} is not finite", path, v);
-    }
-    mesh.vertices_m.push_back(options.up_axis == UpAxis::Z ? glm::dvec3(p.x, p.y, p.z)
-                                                           : glm::dvec3(p.x, -p.z, p.y));
-  }
-  for (unsigned f = 0; f < from.mNumFaces; ++f) {
-    const aiFace& face = from.mFaces[f];
-    if (face.mNumIndices != 3) continue;  // points and lines
-    mesh.triangles.push_back(
-        {first + face.mIndices[0], first + face.mIndices[1], first + face.mIndices[2]});
-  }
+enum class Format { Ply, Obj, Other };
+
+Format format_of(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  std::string first_line(4, ' ');
+  std::ifstream(path, std::ios::binary).read(first_line.data(), 4);
+  if (first_line == "ply\n" || first_line == "ply\r" || extension == ".ply") return Format::Ply;
+  return extension == ".obj" ? Format::Obj : Format::Other;
 }
 
-void add_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above,
-              const MeshReadOptions& options, const std::string& path, TriangleMesh& mesh) {
-  const aiMatrix4x4 transform = above * node.mTransformation;
-  for (unsigned m = 0; m < node.mNumMeshes; ++m)
-    add_mesh(*scene.mMeshes[node.mMeshes[m]], transform, options, path, mesh);
-  for (unsigned c = 0; c < node.mNumChildren; ++c)
-    add_node(scene, *node.mChildren[c], transform, options, path, mesh);
+// How far rounding to 24 binary digits may move a number of this size.
+double half_ulp_of_single(double value) {
+  int exponent = 0;
+  std::frexp(value, &exponent);  // value < 2^exponent
+  return value == 0.0 ? 0.0 : std::ldexp(1.0, exponent - 25);
+}
+
+double largest_coordinate_m(const PolygonSoup& soup) {
+  double largest = 0.0;
+  for (const glm::dvec3& p : soup.vertices_m)
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return largest;
+}
+
+void note_rounding(double largest_m, const char* who, MeshFile& file) {
+  file.largest_rounding_m = half_ulp_of_single(largest_m);
+  if (file.largest_rounding_m <= kUnnoticedRounding_m) return;
+  const std::string line = fmt::format(
+      "{} single precision: coordinates of up to {:.10g} m may be rounded by up to {:.3g} m; write "
+      "them relative to an origin (--mesh-origin), or in double as PLY or OBJ",
+      who, largest_m, file.largest_rounding_m);
+  file.assumptions.push_back(line);
+  file.warnings.push_back(line);
+}
+
+void take_own_origin(const std::string& text, const std::string& name, MeshFile& file) {
+  const auto origin_m = ply_origin_m(text);
+  if (!origin_m)
+    input_error(
+        "{}: expected three finite numbers after 'comment origin_m' (or --mesh-origin in its "
+        "place)",
+        name);
+  file.mesh.origin_m = *origin_m;
+  file.assumptions.push_back(
+      fmt::format("the mesh's origin is the one that its file states: {}, {}, {} m", origin_m->x,
+                  origin_m->y, origin_m->z));
+}
+
+PolygonSoup read_polygons(const std::string& path, const std::string& name, MeshFile& file,
+                          std::optional<std::string>& own_origin) {
+  const Format format = format_of(path);
+  ForwardFile input(path, name);
+  if (format == Format::Obj) return read_obj(input);
+  if (format == Format::Ply) {
+    PlyPolygons polygons = read_ply(input);
+    own_origin = std::move(polygons.origin_m);
+    if (polygons.single_precision)
+      note_rounding(largest_coordinate_m(polygons.soup), "the mesh's file keeps", file);
+    return std::move(polygons.soup);
+  }
+  AssimpPolygons polygons = read_with_assimp(path, name);
+  note_rounding(polygons.largest_rounded_m, "a mesh of this format is read in", file);
+  return std::move(polygons.soup);
 }
 
 }  // namespace
 
-TriangleMesh read_mesh(const std::string& path, const MeshReadOptions& options) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
-    input_error("mesh '{}': there is no such file", path);
-  Assimp::Importer importer;
-  // Only positions matter: without the rest, vertices at one place become one.
-  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
-                              aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
-                                  aiComponent_COLORS | aiComponent_TEXCOORDS |
-                                  aiComponent_MATERIALS);
-  const aiScene* scene = importer.ReadFile(
-      path, aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_JoinIdenticalVertices);
-  if (scene == nullptr || scene->mRootNode == nullptr) {
-    input_error("mesh '{}': expected a PLY, OBJ, STL, glTF or GLB file: {}", path,
-                importer.GetErrorString());
+MeshFile read_mesh(const std::string& path, const MeshReadOptions& options) {
+  const std::string name = fmt::format("mesh '{}'", path);
+  MeshFile file;
+  std::optional<std::string> own_origin;
+  PolygonSoup soup = read_polygons(path, name, file, own_origin);
+  TriangleMesh mesh = joined_mesh(std::move(soup), name);
+  if (mesh.triangles.empty()) input_error("{}: expected triangles, there are none", name);
+  file.mesh = std::move(mesh);
+  if (options.up_axis == UpAxis::Y) {
+    for (glm::dvec3& p : file.mesh.vertices_m) p = {p.x, 0.0 - p.z, p.y};
   }
-  TriangleMesh mesh;
-  mesh.origin_m = options.origin_m;
-  add_node(*scene, *scene->mRootNode, aiMatrix4x4(), options, path, mesh);
-  if (mesh.triangles.empty()) input_error("mesh '{}': expected triangles, there are none", path);
-  return mesh;
+  if (options.origin_m) {
+    file.mesh.origin_m = *options.origin_m;
+  } else if (own_origin) {
+    take_own_origin(*own_origin, name, file);
+  }
+  return file;
 }
 
 }  // namespace plumb::terrain

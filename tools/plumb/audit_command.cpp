@@ -41,16 +41,25 @@ struct AuditCommandOptions {
 struct Subject {
   DrawnSurface surface;
   double prepare_s = 0.0, draw_s = 0.0;
+  std::vector<std::string> assumptions = {}, hints = {};  // about a mesh from a file
 };
 
-Subject read_subject(const AuditCommandOptions& options, Progress& progress) {
+Subject read_subject(const AuditCommandOptions& options, const terrain::Heightfield& field,
+                     Progress& progress) {
   progress.step("reading the mesh");
   terrain::MeshReadOptions read;
   read.up_axis = options.mesh_up == "y" ? terrain::UpAxis::Y : terrain::UpAxis::Z;
   if (!options.mesh_origin.empty())
     read.origin_m = parse_point(options.mesh_origin, "--mesh-origin");
-  auto mesh = std::make_shared<TriangleMesh>(terrain::read_mesh(options.mesh_file, read));
+  terrain::MeshFile file = terrain::read_mesh(options.mesh_file, read);
   Subject subject;
+  if (auto hint = terrain::misplacement(file.mesh, field)) subject.hints.push_back(*hint);
+  terrain::move_to_origin_of(field, file.mesh);
+  progress.finish();
+  for (const std::string& line : file.warnings) warn(line);
+  for (const std::string& line : subject.hints) warn(line);
+  subject.assumptions = std::move(file.assumptions);
+  auto mesh = std::make_shared<TriangleMesh>(std::move(file.mesh));
   subject.surface.cost.vertices = static_cast<std::int64_t>(mesh->vertices_m.size());
   subject.surface.cost.triangles = static_cast<std::int64_t>(mesh->triangles.size());
   subject.surface.mesh = std::move(mesh);
@@ -86,7 +95,7 @@ struct Run {
 
 void prepare(Run& run) {
   if (!run.options.mesh_file.empty()) {
-    run.drawn = read_subject(run.options, run.progress);
+    run.drawn = read_subject(run.options, run.field, run.progress);
     return;
   }
   run.progress.step("preparing the method");
@@ -111,11 +120,12 @@ Audited audit_frame(Run& run, const Camera& camera, const std::string& frame) {
     run.drawn.draw_s = watch.lap_s();
   }
   run.progress.step(where + "casting the truth and measuring");
-  Audited audited{audit::audit_surface(run.truth, run.drawn.surface, camera, run.measures),
-                  {&run.field, run.truth.diagonal(), run.request.method->name, run.request.variant,
-                   run.request.choice.parameters, run.request.tolerance, camera,
-                   run.options.camera.camera, run.invocation.command_line()},
-                  {}};
+  Audited audited{
+      audit::audit_surface(run.truth, run.drawn.surface, camera, run.measures),
+      {&run.field, run.truth.diagonal(), run.request.method->name, run.request.variant,
+       run.request.choice.parameters, run.request.tolerance, camera, run.options.camera.camera,
+       run.invocation.command_line(), run.drawn.assumptions, run.drawn.hints},
+      {}};
   audited.result.times.prepare_s = run.drawn.prepare_s;
   audited.result.times.draw_s = run.drawn.draw_s;
   if (!run.options.mesh_file.empty()) {
@@ -141,6 +151,7 @@ int audit_one(Run& run, const Camera& camera) {
                      : audit_text(audited.result));
   if (!json) {
     for (const std::string& note : run.drawn.surface.notes) std::cout << note << "\n";
+    for (const std::string& line : run.drawn.assumptions) std::cout << "assumed: " << line << "\n";
   }
   if (!json && !audited.files.empty()) {
     std::string list;
@@ -220,9 +231,11 @@ Command audit_command() {
     add_camera_options(options, values->camera);
     options.group("A mesh in place of a method");
     options.text(values->mesh_file, "--mesh", "FILE",
-                 "Audit the triangles of this PLY, OBJ, STL, glTF or GLB file");
+                 "Audit the triangles of this PLY, OBJ (both in double), STL, glTF or GLB file (in "
+                 "single precision)");
     options.text(values->mesh_origin, "--mesh-origin", "X,Y,Z",
-                 "Where its (0, 0, 0) lies in the terrain's coordinates, metres (0,0,0)");
+                 "Where its (0, 0, 0) lies in the terrain's coordinates, metres (what a PLY file's "
+                 "comment origin_m says, else 0,0,0)");
     options.choice(values->mesh_up, "--mesh-up", {"z", "y"},
                    "Its upward axis (z); with y, its -z is north");
     options.group("Audit");

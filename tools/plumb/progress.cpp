@@ -39,4 +39,6 @@ void Progress::finish() {
   name_.clear();
 }
 
+void warn(const std::string& text) { say(fmt::format("plumb: warning: {}\n", text)); }
+
 }  // namespace plumb::tool

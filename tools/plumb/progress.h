@@ -26,4 +26,7 @@ class Progress {
   std::chrono::steady_clock::time_point begun_;
 };
 
+/// One line on standard error that a user should see whatever is printed elsewhere.
+void warn(const std::string& text);
+
 }  // namespace plumb::tool
