@@ -173,7 +173,7 @@ struct FrameCount {
   }
   std::string text() const {
     const std::size_t frames = held + broken + none;
-    if (none == frames) return fmt::format("No verdict: in no frame; {}.", why_none);
+    if (none == frames) return fmt::format("No verdict of any frame: {}.", why_none);
     std::string text = fmt::format("{} of {} frames keep every claim", held, frames);
     if (none > 0) text += fmt::format("; {} without a verdict: {}", none, why_none);
     return text + ".";
