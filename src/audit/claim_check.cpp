@@ -35,6 +35,12 @@ std::string why_nothing_is_measured(const AuditResult& result, const Heightfield
   return "nothing that is claimed or limited could be measured";
 }
 
+void name_what_breaks(ClaimResult& claim) {
+  if (!claim.is_broken()) return;
+  if (claim.worst) claim.worst->breaks = claim.label;
+  for (Offender& place : claim.places) place.breaks = claim.label;
+}
+
 }  // namespace
 
 void check_claims(AuditResult& result, const HeightfieldTruth& truth, const DrawnSurface& surface,
@@ -54,6 +60,7 @@ void check_claims(AuditResult& result, const HeightfieldTruth& truth, const Draw
   for (ClaimResult& claim :
        check_patch_claims(result, truth, surface, measures.finder(), options.most_listed))
     claims.push_back(std::move(claim));
+  for (ClaimResult& claim : claims) name_what_breaks(claim);
   result.offenders = measures.finder().worst(claims, measures.most_places());
 }
 

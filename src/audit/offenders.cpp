@@ -176,8 +176,6 @@ std::vector<Offender> OffenderFinder::worst(const std::vector<ClaimResult>& clai
     const bool is_new = told.emplace(claim.label, claim.claim.unit).second;
     if (!is_new && claim.claim.scope == Scope::Frame) return;
     add(claim.places);
-    for (std::size_t k = found.size() - claim.places.size(); k < found.size(); ++k)
-      found[k].breaks = claim.label;
   };
   const std::string coverage = name_of(Measure::Coverage);
   for (const ClaimResult& claim : claims) {

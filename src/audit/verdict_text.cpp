@@ -96,11 +96,8 @@ std::vector<std::string> worst_lines(const AuditResult& result) {
     }
   }
   std::vector<std::string> lines;
-  for (const ClaimResult* claim : told) {
-    Offender place = claim->places.front();
-    place.breaks = claim->label;
-    lines.push_back("worst: " + place_text(place));
-  }
+  for (const ClaimResult* claim : told)
+    lines.push_back("worst: " + place_text(claim->places.front()));
   return lines;
 }
 
