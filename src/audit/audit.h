@@ -120,7 +120,7 @@ struct AuditResult {
   std::int64_t patch_claims = 0;  // of the method: those that could be measured, all of them judged
   std::int64_t patch_claims_broken = 0;
   /// What broke comes first, claim by claim, defects of coverage before all; then the worst of
-  /// every other measure. Errors of zero are none.
+  /// every other measure. Errors of zero, or of what rounding explains, are none.
   std::vector<Offender> offenders;
   std::string no_verdict;  // why there is none, if no claim of the frame and no limit was measured
   Cost cost;

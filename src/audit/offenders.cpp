@@ -13,13 +13,12 @@ namespace {
 
 using WorstPixel = std::pair<float, std::size_t>;  // its error and its number
 
-// The `most` largest errors above zero, worst first, the first of equals first.
-std::vector<WorstPixel> worst_pixels(std::span<const float> errors, std::size_t most) {
+// The `most` largest errors above `least`, worst first, the first of equals first.
+std::vector<WorstPixel> worst_pixels(std::span<const float> errors, std::size_t most, float least) {
   const auto is_worse = [](const WorstPixel& a, const WorstPixel& b) {
     return a.first != b.first ? a.first > b.first : a.second < b.second;
   };
   std::vector<WorstPixel> worst;
-  float least = 0.0f;
   for (std::size_t pixel = 0; pixel < errors.size(); ++pixel) {
     if (!(errors[pixel] > least)) continue;
     const WorstPixel here{errors[pixel], pixel};
@@ -122,9 +121,10 @@ std::vector<Offender> OffenderFinder::defects(std::size_t most) const {
 }
 
 std::vector<Offender> OffenderFinder::pixels(const std::string& what, std::span<const float> errors,
-                                             Unit unit, std::size_t most, bool of_truth) const {
+                                             Unit unit, std::size_t most, bool of_truth,
+                                             double above) const {
   std::vector<Offender> found;
-  for (const auto& [error, pixel] : worst_pixels(errors, most))
+  for (const auto& [error, pixel] : worst_pixels(errors, most, static_cast<float>(above)))
     found.push_back(of_truth ? at_true_pixel(what, error, unit, pixel)
                              : at_pixel(what, error, unit, pixel));
   return found;
@@ -185,15 +185,16 @@ std::vector<Offender> OffenderFinder::worst(const std::vector<ClaimResult>& clai
     if (claim.label != coverage) add_broken(claim);
   }
   const auto is_told = [&](const char* label, Unit unit) { return told.count({label, unit}) > 0; };
-  const auto add_sample = [&](const WorstSample& worst, Unit unit) {
-    if (worst.error > 0.0 && !is_told("sample-error", unit))
+  const auto add_sample = [&](const WorstSample& worst, Unit unit, double pixels_per_metre) {
+    if (worst.error > truth_.slack_m * pixels_per_metre && !is_told("sample-error", unit))
       add({*at_sample("sample-error", worst, unit)});
   };
   if (!is_told("coverage", Unit::Count)) add(defects(most));
-  add_sample(result_.samples.worst_px, Unit::Pixel);
-  add_sample(result_.samples.worst_m, Unit::Metre);
+  add_sample(result_.samples.worst_px, Unit::Pixel, result_.samples.pixels_per_metre);
+  add_sample(result_.samples.worst_m, Unit::Metre, 1.0);
   if (!is_told("pixel-error", Unit::Pixel))
-    add(pixels("pixel-error", result_.pixels.vertical_px, Unit::Pixel, most));
+    add(pixels("pixel-error", result_.pixels.vertical_px, Unit::Pixel, most, false,
+               truth_.slack_m * result_.pixels.pixels_per_metre));
   if (!is_told("topology", Unit::Count)) add(topology_flaws());
   if (!is_told("uncovered-samples", Unit::Count)) add(sample_flaws(SampleFlaw::Kind::Uncovered));
   add(sample_flaws(SampleFlaw::Kind::OverVoid));

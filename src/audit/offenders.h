@@ -32,9 +32,9 @@ class OffenderFinder {
 
   /// The first defects of coverage.
   std::vector<Offender> defects(std::size_t most) const;
-  /// The pixels with the largest errors above zero, worst first; `of_truth`: at_true_pixel.
+  /// The pixels with the largest errors above `above`, worst first; `of_truth`: at_true_pixel.
   std::vector<Offender> pixels(const std::string& what, std::span<const float> errors, Unit unit,
-                               std::size_t most, bool of_truth = false) const;
+                               std::size_t most, bool of_truth = false, double above = 0.0) const;
   /// What the topology lists.
   std::vector<Offender> topology_flaws() const;
   /// The samples of one kind that are listed.
@@ -42,7 +42,7 @@ class OffenderFinder {
 
   /// The places of broken claims, defects of coverage before all; then, as far as they are not
   /// among those, the worst samples, the pixels that are farthest off, and what topology and
-  /// samples list.
+  /// samples list. An error of those that the truth's rounding explains is none.
   std::vector<Offender> worst(const std::vector<ClaimResult>& claims, std::size_t most) const;
 
  private:
