@@ -47,7 +47,7 @@ void require_consistent(const HitImage& true_hits, const DrawnSurface& surface,
 void measure_mesh(AuditResult& result, const HeightfieldTruth& truth, const DrawnSurface& surface,
                   const Camera& camera, const AuditOptions& options) {
   const TriangleMesh& mesh = *surface.mesh;
-  result.samples = sample_errors(truth, result.true_hits, surface, camera);
+  result.samples = sample_errors(truth, result.true_hits, surface, camera, options.most_listed);
   const MeshEdges edges(mesh);
   result.edges = edge_errors(truth, mesh, edges, camera);
   result.reverse_pixels = reverse_vertical_errors(truth, result.true_hits, mesh, camera);
@@ -55,8 +55,9 @@ void measure_mesh(AuditResult& result, const HeightfieldTruth& truth, const Draw
   result.normal_deg =
       distribution_of(normal_errors_deg(truth, result.true_hits, mesh, result.drawn));
   if (options.nearest) {
-    result.nearest.reverse = distribution_of(
-        reverse_nearest_errors(truth, result.true_hits, result.reverse_pixels, mesh, camera));
+    result.nearest.reverse_px =
+        reverse_nearest_errors(truth, result.true_hits, result.reverse_pixels, mesh, camera);
+    result.nearest.reverse = distribution_of(result.nearest.reverse_px);
   }
   result.topology = topology_of(truth, surface, edges, options.most_listed);
   result.topology.overlapped_samples = result.samples.overlapped;
@@ -75,18 +76,31 @@ void measure_picture(AuditResult& result, const HeightfieldTruth& truth, const H
 
 }  // namespace
 
+const char* name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::Held:
+      return "held";
+    case Verdict::Broken:
+      return "broken";
+    case Verdict::None:
+      return "none";
+  }
+  return "?";
+}
+
 std::optional<double> ClaimResult::tightness() const {
+  if (!is_measured) return std::nullopt;
   if (measured > 0.0) return claim.bound / measured;
   if (claim.bound > 0.0) return kInfinity;
   return std::nullopt;
 }
 
-bool AuditResult::holds() const {
-  if (patch_claims_broken > 0 || !registration.agrees) return false;
+Verdict AuditResult::verdict() const {
+  if (patch_claims_broken > 0 || !registration.agrees) return Verdict::Broken;
   for (const ClaimResult& claim : claims) {
-    if (!claim.holds) return false;
+    if (claim.is_broken()) return Verdict::Broken;
   }
-  return true;
+  return no_verdict.empty() ? Verdict::Held : Verdict::None;
 }
 
 AuditResult audit_picture(const HeightfieldTruth& truth, HitImage true_hits,

@@ -8,6 +8,7 @@
 
 #include "audit/coverage.h"
 #include "audit/distribution.h"
+#include "audit/edge_error.h"
 #include "audit/method.h"
 #include "audit/pixel_error.h"
 #include "audit/registration.h"
@@ -42,11 +43,13 @@ struct AuditOptions {
 /// judge nothing.
 struct NearestErrors {
   std::vector<float> forward_px;  // a pixel each: from the point drawn; NaN where nothing is
+  std::vector<float> reverse_px;  // from the truth's; empty for a surface without a mesh
   Distribution forward, reverse;
 };
 
+/// A place worth looking at.
 struct Offender {
-  std::string what;  // the measure
+  std::string what;  // the measure, or what is there: "hole", "open edge", "uncovered sample"
   double value = 0.0;
   Unit unit = Unit::Pixel;
   int x = -1, y = -1;  // pixel; -1 if out of view
@@ -54,22 +57,40 @@ struct Offender {
   glm::dvec3 world_m{0.0};
   int patch = -1;
   std::string patch_name = {};
+  std::uint32_t triangle = kNoPrimitive;  // of the mesh
+  std::string breaks = {};  // label of the claim that is broken there; empty if none is
 };
+
+enum class Verdict {
+  Held,
+  Broken,
+  None,  // nothing was measured
+};
+const char* name_of(Verdict verdict);  // "held", "broken", "none"
 
 struct ClaimResult {
   Claim claim;
   bool is_limit = false;  // the user's, not the method's
   std::string label;      // "sample-error", "coverage", ...
   double measured = 0.0;
-  double slack = 0.0;           // what rounding may add to the measurement, in the claim's unit
-  std::int64_t violations = 0;  // samples, places, pixels or patches over the bound
+  double slack = 0.0;  // what rounding may add to the measurement, in the claim's unit
+  /// How many samples, places between samples or pixels are over the bound; of a measure that is
+  /// itself a count, how many defects there are beyond it.
+  std::int64_t violations = 0;
   std::int64_t triangles_over =
       -1;  // drawn triangles that cover a sample over it; -1 where that is not counted
-  bool holds = true;
+  bool is_measured = true;  // false: there was nothing to measure, and nothing is `measured`
+  bool holds = true;        // is measured, and not over the bound
   std::optional<Offender> worst;
+  std::vector<Offender>
+      places;  // where it is broken: the worst, or the first, at most `most_listed`
 
+  bool is_broken() const { return is_measured && !holds; }
+  Verdict verdict() const {
+    return holds ? Verdict::Held : is_measured ? Verdict::Broken : Verdict::None;
+  }
   /// Claimed divided by measured: 1 is tight, 2 twice as careful as needed, below 1 broken. Nothing
-  /// where both are zero.
+  /// where both are zero, or nothing is measured.
   std::optional<double> tightness() const;
 };
 
@@ -96,15 +117,21 @@ struct AuditResult {
   Topology topology;
   std::vector<ClaimResult>
       claims;  // frame claims first, then those of patches: only the broken and the tightest ones
-  std::int64_t patch_claims = 0;  // of the method, all of them judged
+  std::int64_t patch_claims = 0;  // of the method: those that could be measured, all of them judged
   std::int64_t patch_claims_broken = 0;
-  std::vector<Offender> offenders;  // worst first, of every measure
+  /// What broke comes first, claim by claim, defects of coverage before all; then the worst of
+  /// every other measure. Errors of zero, or of what rounding explains, are none.
+  std::vector<Offender> offenders;
+  std::string no_verdict;  // why there is none, if no claim of the frame and no limit was measured
   Cost cost;
   AuditTimes times;
 
-  /// Every claim and every limit holds, coverage zero among them, and the picture belongs to the
-  /// camera.
-  bool holds() const;
+  /// Broken if a claim or a limit is, of the frame or of a patch, or the picture does not belong to
+  /// the camera. Else held if a claim of the frame or a limit could be measured. Else there is
+  /// none: patches' claims say how the mesh was made, and nothing of the frame.
+  Verdict verdict() const;
+  /// The verdict is Held.
+  bool holds() const { return verdict() == Verdict::Held; }
 };
 
 /// Judges a surface and the picture that was drawn of it.

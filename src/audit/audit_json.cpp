@@ -55,6 +55,8 @@ Json offender_json(const Offender& o) {
   json["world_m"] = triple(o.world_m);
   json["patch"] = o.patch >= 0 ? Json(o.patch) : Json(nullptr);
   if (!o.patch_name.empty()) json["patch_name"] = o.patch_name;
+  json["triangle"] = o.triangle != kNoPrimitive ? Json(o.triangle) : Json(nullptr);
+  json["breaks"] = o.breaks.empty() ? Json(nullptr) : Json(o.breaks);
   return json;
 }
 
@@ -64,10 +66,11 @@ Json claim_json(const ClaimResult& c) {
             {"scope", name_of(c.claim.scope)},
             {"claimed", number(c.claim.bound)},
             {"unit", name_of(c.claim.unit)},
-            {"measured", number(c.measured)},
+            {"measured", c.is_measured ? number(c.measured) : Json(nullptr)},
             {"rounding", c.slack},
             {"violations", c.violations},
-            {"holds", c.holds}};
+            {"holds", c.is_measured ? Json(c.holds) : Json(nullptr)},
+            {"verdict", c.is_measured ? name_of(c.verdict()) : "not measured"}};
   const auto tightness = c.tightness();
   json["tightness"] = tightness ? number(*tightness) : Json(nullptr);
   if (c.triangles_over >= 0) json["triangles_over"] = c.triangles_over;
@@ -124,7 +127,8 @@ Json registration_json(const Registration& r) {
 std::string audit_json(const AuditResult& result, const AuditSubject& subject) {
   Json json{{"schema", "plumb.audit/1"},
             {"command", subject.command},
-            {"verdict", result.holds() ? "held" : "broken"}};
+            {"verdict", name_of(result.verdict())}};
+  if (result.verdict() == Verdict::None) json["no_verdict"] = result.no_verdict;
   json["terrain"] = terrain_json(subject);
   json["method"] = {{"name", subject.method},
                     {"variant", subject.variant},

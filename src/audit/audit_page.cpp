@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <system_error>
 
 #include "audit/audit_gallery.h"
 #include "audit/audit_json.h"
+#include "audit/verdict_text.h"
 #include "core/atomic_file.h"
 #include "core/check.h"
 #include "report/html_page.h"
@@ -17,7 +16,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* yes_no(bool holds) { return holds ? "held" : "BROKEN"; }
+report::RowKind kind_of(const ClaimResult& claim) {
+  return claim.holds         ? report::RowKind::Ok
+         : claim.is_measured ? report::RowKind::Bad
+                             : report::RowKind::Plain;
+}
+
+report::Verdict banner_of(Verdict verdict) {
+  return verdict == Verdict::Held     ? report::Verdict::Held
+         : verdict == Verdict::Broken ? report::Verdict::Broken
+                                      : report::Verdict::None;
+}
 
 report::Table claims_table(const AuditResult& result) {
   report::Table table{"Claims and limits",
@@ -37,10 +46,12 @@ report::Table claims_table(const AuditResult& result) {
         c.claim.scope == Scope::Frame ? "frame" : fmt::format("patch {}", c.claim.patch);
     table.rows.push_back(
         {{c.label, scope, c.is_limit ? "user" : "method", with_unit(c.claim.bound, c.claim.unit),
-          with_unit(c.measured, c.claim.unit), tightness ? short_number(*tightness) : "-",
-          std::to_string(c.violations),
-          c.triangles_over >= 0 ? std::to_string(c.triangles_over) : "-", yes_no(c.holds)},
-         c.holds ? report::RowKind::Ok : report::RowKind::Bad});
+          c.is_measured ? with_unit(c.measured, c.claim.unit) : "-",
+          tightness ? short_number(*tightness) : "-",
+          c.is_measured ? std::to_string(c.violations) : "-",
+          c.is_measured && c.triangles_over >= 0 ? std::to_string(c.triangles_over) : "-",
+          verdict_word(c)},
+         kind_of(c)});
   }
   return table;
 }
@@ -152,10 +163,15 @@ std::vector<report::KeyValue> subject_entries(const AuditResult& result,
 report::OffenderList offender_list(const AuditResult& result, const AuditSubject& subject) {
   report::OffenderList list{"Worst offenders",
                             "pictures",
-                            {{"what"}, {"value", true}, {"sample"}, {"world, m"}, {"patch"}},
+                            {{"what"},
+                             {"value", true},
+                             {"breaks"},
+                             {"sample"},
+                             {"world, m"},
+                             {"triangle", true},
+                             {"patch"}},
                             {}};
   for (const Offender& o : result.offenders) {
-    if (o.x < 0) continue;
     const std::string sample =
         o.sample_i >= 0
             ? fmt::format(
@@ -165,8 +181,10 @@ report::OffenderList offender_list(const AuditResult& result, const AuditSubject
     list.offenders.push_back(
         {o.x,
          o.y,
-         {o.what, o.unit == Unit::Count ? "-" : with_unit(o.value, o.unit), sample,
+         {o.what, o.unit == Unit::Count ? "-" : with_unit(o.value, o.unit),
+          o.breaks.empty() ? "-" : o.breaks, sample,
           fmt::format("{:.9g}, {:.9g}, {:.7g}", o.world_m.x, o.world_m.y, o.world_m.z),
+          o.triangle != kNoPrimitive ? std::to_string(o.triangle) : "-",
           o.patch >= 0 ? fmt::format("{}: {}", o.patch, o.patch_name) : "-"}});
   }
   return list;
@@ -177,8 +195,7 @@ report::HtmlPage page_of(const AuditResult& result, const AuditSubject& subject,
                          const std::string& json) {
   report::HtmlPage page(fmt::format("{} at {} on {}", subject.method, to_text(subject.tolerance),
                                     subject.field->provenance.source));
-  page.add_verdict(result.holds() ? report::Verdict::Held : report::Verdict::Broken,
-                   verdict_sentence(result));
+  page.add_verdict(banner_of(result.verdict()), verdict_sentence(result));
   for (const std::string& hint : subject.hints) page.add_paragraph(hint);
   page.add_table(claims_table(result));
   page.add_viewer(viewer);
@@ -193,46 +210,10 @@ report::HtmlPage page_of(const AuditResult& result, const AuditSubject& subject,
 
 }  // namespace
 
-std::string short_number(double value) {
-  if (std::isnan(value)) return "-";
-  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
-  return fmt::format("{:.4g}", value);
-}
-
-std::string with_unit(double value, Unit unit) {
-  const std::string number = short_number(value);
-  return unit == Unit::Count ? number : number + " " + name_of(unit);
-}
-
 std::string drawn_text(const Cost& cost) {
   std::string text = fmt::format("{} triangles", cost.triangles);
   if (cost.slices > 0) text += fmt::format(", {} slices", cost.slices);
   return text + fmt::format(", {} vertices, {} fragments", cost.vertices, cost.fragments);
-}
-
-std::string verdict_sentence(const AuditResult& result) {
-  if (result.holds()) {
-    return fmt::format(
-        "Every claim holds: {} of the frame and {} of patches, coverage among them.",
-        std::count_if(result.claims.begin(), result.claims.end(),
-                      [](const ClaimResult& c) { return c.claim.scope == Scope::Frame; }),
-        result.patch_claims);
-  }
-  std::string broken;
-  for (const ClaimResult& c : result.claims) {
-    if (c.holds || c.claim.scope == Scope::Patch) continue;
-    broken +=
-        fmt::format("{}{} {} where {} was {}", broken.empty() ? "" : "; ", c.label,
-                    with_unit(c.measured, c.claim.unit), with_unit(c.claim.bound, c.claim.unit),
-                    c.is_limit ? "the limit" : "claimed");
-  }
-  if (result.patch_claims_broken > 0)
-    broken += fmt::format("{}{} patches over their own bounds", broken.empty() ? "" : "; ",
-                          result.patch_claims_broken);
-  if (!result.registration.agrees)
-    broken +=
-        fmt::format("{}the picture was not made with this camera", broken.empty() ? "" : "; ");
-  return "Broken: " + broken + ".";
 }
 
 std::vector<std::string> write_report(const fs::path& folder, const AuditResult& result,

@@ -26,15 +26,7 @@ std::vector<std::string> write_report(const std::filesystem::path& folder,
                                       const AuditResult& result, const AuditSubject& subject,
                                       const DrawnSurface& surface, const HeightfieldTruth& truth);
 
-/// One sentence: what the verdict is, and why.
-std::string verdict_sentence(const AuditResult& result);
-
 /// "812 triangles, 40 slices, 446 vertices, 3000 fragments".
 std::string drawn_text(const Cost& cost);
-
-/// A number as tables show it: four digits, "inf", "-" for none.
-std::string short_number(double value);
-/// The same with its unit behind it: "0.98 px"; a count has none.
-std::string with_unit(double value, Unit unit);
 
 }  // namespace plumb::audit

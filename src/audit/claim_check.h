@@ -8,8 +8,8 @@
 namespace plumb::audit {
 
 /// Judges every claim of the surface, coverage zero (which every drawn surface claims) and the
-/// user's limits. Fills in `claims`, `patch_claims`, `patch_claims_broken` and `offenders`; the
-/// measures in `result` are there already.
+/// user's limits. Fills in `claims`, `patch_claims`, `patch_claims_broken`, `offenders` and, where
+/// nothing was measured, `no_verdict`; the measures in `result` are there already.
 ///
 /// A measurement breaks a bound if it exceeds it by more than rounding explains: the truth's slack
 /// in metres, on screen times the most pixels that a metre spans there.

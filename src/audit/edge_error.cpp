@@ -1,7 +1,9 @@
-// The deviation between the samples: where drawn edges cross true ones.
+#include "audit/edge_error.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "audit/grid_crossings.h"
 #include "audit/sample_error.h"
@@ -12,6 +14,7 @@ namespace plumb::audit {
 namespace {
 
 constexpr glm::dvec3 kUp{0.0, 0.0, 1.0};
+constexpr std::int64_t kGrain = 4096;  // vertices that one task takes
 
 // Whole but for less than kOnLine; without a call for the rounding, which loops over edges feel.
 bool is_whole(double u) {
@@ -21,37 +24,73 @@ bool is_whole(double u) {
 
 bool on_sample(double u, double v) { return is_whole(u) && is_whole(v); }
 
+// Goes through the places between the samples, in an order that the mesh alone decides.
 class EdgeWalk {
  public:
-  EdgeWalk(const HeightfieldTruth& truth, const Camera& local)
-      : truth_(truth),
-        camera_(local),
-        up_(direction_to_view(local, kUp)),
-        crossings_(truth.field(), truth.diagonal()) {}
+  EdgeWalk(const HeightfieldTruth& truth, const TriangleMesh& mesh, const MeshEdges& edges)
+      : field_(truth.field()),
+        mesh_(mesh),
+        edges_(edges),
+        shift_(mesh.origin_m - field_.world_origin_m()),
+        crossings_(field_, truth.diagonal()) {}
 
+  // Of the vertices [begin, end) and the edges on which they are the lesser one; look(place drawn,
+  // triangle).
+  template <class Look>
+  void operator()(std::int64_t begin, std::int64_t end, const Look& look) {
+    for (auto low = static_cast<std::uint32_t>(begin); low < end; ++low) {
+      const auto sides = edges_.from(low);
+      if (sides.empty()) continue;
+      const glm::dvec3 p = mesh_.vertices_m[low] + shift_;
+      vertex(p, sides.front().triangle, look);
+      std::uint32_t last = low;
+      for (const HalfEdge& side : sides) {
+        if (side.high == last) continue;  // the same edge, of another triangle
+        last = side.high;
+        const glm::dvec3 q = mesh_.vertices_m[last] + shift_;
+        edge(p, q, side.triangle, look);
+        // A vertex that is the lesser of no edge has no turn of its own.
+        if (edges_.from(last).empty()) vertex(q, side.triangle, look);
+      }
+    }
+  }
+
+ private:
   // The inside of the edge from p to q.
-  void edge(const glm::dvec3& p, const glm::dvec3& q, std::uint32_t triangle, EdgeErrors& errors) {
-    const terrain::Heightfield& field = truth_.field();
-    const double pu = p.x / field.dx_m, pv = p.y / field.dy_m, du = q.x / field.dx_m - pu,
-                 dv = q.y / field.dy_m - pv;
+  template <class Look>
+  void edge(const glm::dvec3& p, const glm::dvec3& q, std::uint32_t triangle, const Look& look) {
+    const double pu = p.x / field_.dx_m, pv = p.y / field_.dy_m, du = q.x / field_.dx_m - pu,
+                 dv = q.y / field_.dy_m - pv;
     if (std::abs(du) < 1.5 && std::abs(dv) < 1.5 && on_sample(pu, pv) &&
         on_sample(pu + du, pv + dv)) {
       // From sample to neighbouring sample: only a cell's other diagonal can cross it, in the
       // middle.
-      if (std::abs(du) > 0.5 && std::abs(dv) > 0.5) look(0.5 * (p + q), triangle, errors);
+      if (std::abs(du) > 0.5 && std::abs(dv) > 0.5) look(0.5 * (p + q), triangle);
       return;
     }
-    crossings_.between(p, q, [&](const glm::dvec3& at) { look(at, triangle, errors); });
+    crossings_.between(p, q, [&](const glm::dvec3& at) { look(at, triangle); });
   }
 
   // A vertex, unless it is a sample, which is measured as such.
-  void vertex(const glm::dvec3& p, std::uint32_t triangle, EdgeErrors& errors) const {
-    const terrain::Heightfield& field = truth_.field();
-    if (!on_sample(p.x / field.dx_m, p.y / field.dy_m)) look(p, triangle, errors);
+  template <class Look>
+  void vertex(const glm::dvec3& p, std::uint32_t triangle, const Look& look) const {
+    if (!on_sample(p.x / field_.dx_m, p.y / field_.dy_m)) look(p, triangle);
   }
 
- private:
-  void look(const glm::dvec3& drawn, std::uint32_t triangle, EdgeErrors& errors) const {
+  const terrain::Heightfield& field_;
+  const TriangleMesh& mesh_;
+  const MeshEdges& edges_;
+  glm::dvec3 shift_;
+  GridCrossings crossings_;
+};
+
+// What is wrong at a place.
+class PlaceMeasure {
+ public:
+  PlaceMeasure(const HeightfieldTruth& truth, const Camera& local)
+      : truth_(truth), camera_(local), up_(direction_to_view(local, kUp)) {}
+
+  void add(const glm::dvec3& drawn, std::uint32_t triangle, EdgeErrors& errors) const {
     const double height = truth_.height_at(drawn.x, drawn.y);
     if (std::isnan(height)) return;
     ++errors.places;
@@ -74,6 +113,21 @@ class EdgeWalk {
     }
   }
 
+  // Where it is, and by how much it is off in `unit`; NaN where nothing is measured.
+  EdgePlace at(const glm::dvec3& drawn, std::uint32_t triangle, Unit unit) const {
+    constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+    const double height = truth_.height_at(drawn.x, drawn.y), delta = drawn.z - height;
+    const glm::dvec3 point{drawn.x, drawn.y, height};
+    if (std::isnan(height)) return {kNothing, point, triangle};
+    if (unit == Unit::Metre) return {std::abs(delta), point, triangle};
+    if (!in_frustum(camera_, point)) return {kNothing, point, triangle};
+    const double pixels =
+        delta == 0.0 ? 0.0
+                     : screen_displacement_of_view_px(camera_, to_view(camera_, point), up_, delta);
+    return {pixels, point, triangle};
+  }
+
+ private:
   // True only if the displacement on screen is below `most_px`: squared, without root or quotient.
   bool is_surely_less(const glm::dvec3& view, double delta, double most_px) const {
     constexpr double kRoundings = 1e-9;
@@ -87,7 +141,6 @@ class EdgeWalk {
   const HeightfieldTruth& truth_;
   const Camera& camera_;
   glm::dvec3 up_;  // in view coordinates
-  GridCrossings crossings_;
 };
 
 EdgeErrors worse(EdgeErrors a, const EdgeErrors& b) {
@@ -106,34 +159,54 @@ EdgeErrors worse(EdgeErrors a, const EdgeErrors& b) {
   return a;
 }
 
+// Keeps the `most` worst; a place that comes later stands behind its equals.
+void keep_place(std::vector<EdgePlace>& worst, const EdgePlace& place, std::size_t most) {
+  if (worst.size() == most && (most == 0 || !(place.error > worst.back().error))) return;
+  const auto is_worse = [](const EdgePlace& a, const EdgePlace& b) { return a.error > b.error; };
+  worst.insert(std::upper_bound(worst.begin(), worst.end(), place, is_worse), place);
+  if (worst.size() > most) worst.pop_back();
+}
+
 }  // namespace
 
 EdgeErrors edge_errors(const HeightfieldTruth& truth, const TriangleMesh& mesh,
                        const MeshEdges& edges, const Camera& camera) {
   const Camera local = relative_to(camera, truth.field().world_origin_m());
-  const glm::dvec3 shift = mesh.origin_m - truth.field().world_origin_m();
+  const PlaceMeasure measure(truth, local);
   return parallel_ordered_reduce(
-      edges.vertices(), 4096, EdgeErrors{},
+      edges.vertices(), kGrain, EdgeErrors{},
       [&](std::int64_t begin, std::int64_t end, EdgeErrors errors) {
-        EdgeWalk walk(truth, local);
-        for (auto low = static_cast<std::uint32_t>(begin); low < end; ++low) {
-          const auto sides = edges.from(low);
-          if (sides.empty()) continue;
-          const glm::dvec3 p = mesh.vertices_m[low] + shift;
-          walk.vertex(p, sides.front().triangle, errors);
-          std::uint32_t last = low;
-          for (const HalfEdge& side : sides) {
-            if (side.high == last) continue;  // the same edge, of another triangle
-            last = side.high;
-            const glm::dvec3 q = mesh.vertices_m[last] + shift;
-            walk.edge(p, q, side.triangle, errors);
-            // A vertex that is the lesser of no edge has no turn of its own.
-            if (edges.from(last).empty()) walk.vertex(q, side.triangle, errors);
-          }
-        }
+        EdgeWalk(truth, mesh, edges)(begin, end,
+                                     [&](const glm::dvec3& drawn, std::uint32_t triangle) {
+                                       measure.add(drawn, triangle, errors);
+                                     });
         return errors;
       },
       worse);
+}
+
+EdgePlacesOver edge_places_over(const HeightfieldTruth& truth, const TriangleMesh& mesh,
+                                const MeshEdges& edges, const Camera& camera,
+                                const Tolerance& bound, std::size_t most) {
+  const Camera local = relative_to(camera, truth.field().world_origin_m());
+  const PlaceMeasure measure(truth, local);
+  return parallel_ordered_reduce(
+      edges.vertices(), kGrain, EdgePlacesOver{},
+      [&](std::int64_t begin, std::int64_t end, EdgePlacesOver over) {
+        EdgeWalk(truth, mesh, edges)(
+            begin, end, [&](const glm::dvec3& drawn, std::uint32_t triangle) {
+              const EdgePlace place = measure.at(drawn, triangle, bound.unit);
+              if (!(place.error > bound.value)) return;
+              ++over.count;
+              keep_place(over.worst, place, most);
+            });
+        return over;
+      },
+      [&](EdgePlacesOver a, const EdgePlacesOver& b) {
+        a.count += b.count;
+        for (const EdgePlace& place : b.worst) keep_place(a.worst, place, most);
+        return a;
+      });
 }
 
 }  // namespace plumb::audit

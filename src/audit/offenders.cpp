@@ -1,20 +1,24 @@
 #include "audit/offenders.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
 #include <utility>
+
+#include "audit/flat_triangle.h"
 
 namespace plumb::audit {
 namespace {
 
 using WorstPixel = std::pair<float, std::size_t>;  // its error and its number
 
-// The `most` largest errors above zero, worst first, the first of equals first.
-std::vector<WorstPixel> worst_pixels(const std::vector<float>& errors, std::size_t most) {
+// The `most` largest errors above `least`, worst first, the first of equals first.
+std::vector<WorstPixel> worst_pixels(std::span<const float> errors, std::size_t most, float least) {
   const auto is_worse = [](const WorstPixel& a, const WorstPixel& b) {
     return a.first != b.first ? a.first > b.first : a.second < b.second;
   };
   std::vector<WorstPixel> worst;
-  float least = 0.0f;
   for (std::size_t pixel = 0; pixel < errors.size(); ++pixel) {
     if (!(errors[pixel] > least)) continue;
     const WorstPixel here{errors[pixel], pixel};
@@ -25,6 +29,11 @@ std::vector<WorstPixel> worst_pixels(const std::vector<float>& errors, std::size
   return worst;
 }
 
+glm::ivec2 pixel_of(std::size_t index, const HitImage& image) {
+  const auto width = static_cast<std::size_t>(image.width_px);
+  return {static_cast<int>(index % width), static_cast<int>(index / width)};
+}
+
 }  // namespace
 
 Offender OffenderFinder::at_place(std::string what, double value, Unit unit,
@@ -32,6 +41,7 @@ Offender OffenderFinder::at_place(std::string what, double value, Unit unit,
   Offender o{std::move(what), value, unit};
   o.world_m = truth_.field().world_origin_m() + local_m;
   if (triangle != kNoPrimitive) set_patch(o, patch_of(surface_, triangle));
+  if (result_.of_mesh) o.triangle = triangle;
   const glm::dvec3 view = to_view(camera_, o.world_m);
   if (view.z > 0.0) {
     const glm::dvec2 pixel = view_to_pixel(camera_, view);
@@ -70,8 +80,21 @@ Offender OffenderFinder::at_pixel(std::string what, double value, Unit unit,
   const glm::dvec3 local =
       camera_.eye_m - truth_.field().world_origin_m() + drawn.from_eye_m[pixel];
   Offender o = at_place(std::move(what), value, unit, local, drawn.primitive[pixel]);
-  o.x = static_cast<int>(pixel % static_cast<std::size_t>(drawn.width_px));
-  o.y = static_cast<int>(pixel / static_cast<std::size_t>(drawn.width_px));
+  const glm::ivec2 seen_at = pixel_of(pixel, drawn);
+  o.x = seen_at.x;
+  o.y = seen_at.y;
+  return o;
+}
+
+Offender OffenderFinder::at_true_pixel(std::string what, double value, Unit unit,
+                                       std::size_t pixel) const {
+  const HitImage& seen = result_.true_hits;
+  const glm::dvec3 local = camera_.eye_m - truth_.field().world_origin_m() + seen.from_eye_m[pixel];
+  Offender o =
+      at_place(std::move(what), value, unit, local, result_.reverse_pixels.triangle[pixel]);
+  const glm::ivec2 seen_at = pixel_of(pixel, seen);
+  o.x = seen_at.x;
+  o.y = seen_at.y;
   return o;
 }
 
@@ -88,20 +111,94 @@ Offender OffenderFinder::at_defect(const CoverageDefect& defect) const {
   return o;
 }
 
-std::vector<Offender> OffenderFinder::worst(std::size_t most) const {
+std::vector<Offender> OffenderFinder::defects(std::size_t most) const {
   std::vector<Offender> found;
   for (const CoverageDefect& defect : result_.coverage.listed) {
     if (found.size() >= most) break;
     found.push_back(at_defect(defect));
   }
-  if (auto o = at_sample("sample-error", result_.samples.worst_px, Unit::Pixel))
-    found.push_back(*std::move(o));
-  if (auto o = at_sample("sample-error", result_.samples.worst_m, Unit::Metre))
-    found.push_back(*std::move(o));
-  for (const auto& [error, pixel] : worst_pixels(result_.pixels.vertical_px, most))
-    found.push_back(at_pixel("pixel-error", error, Unit::Pixel, pixel));
+  return found;
+}
+
+std::vector<Offender> OffenderFinder::pixels(const std::string& what, std::span<const float> errors,
+                                             Unit unit, std::size_t most, bool of_truth,
+                                             double above) const {
+  std::vector<Offender> found;
+  for (const auto& [error, pixel] : worst_pixels(errors, most, static_cast<float>(above)))
+    found.push_back(of_truth ? at_true_pixel(what, error, unit, pixel)
+                             : at_pixel(what, error, unit, pixel));
+  return found;
+}
+
+std::vector<Offender> OffenderFinder::topology_flaws() const {
+  std::vector<Offender> found;
   for (const TopologyFlaw& flaw : result_.topology.listed)
     found.push_back(at_place(flaw.kind, 1.0, Unit::Count, flaw.at_m, flaw.triangle));
+  return found;
+}
+
+// Where the terrain has no height, that of what is drawn there.
+double OffenderFinder::height_over(const SampleFlaw& flaw) const {
+  const terrain::Heightfield& field = truth_.field();
+  double height = field.heights_m(flaw.i, flaw.j);
+  if (std::isnan(height) && flaw.triangle != kNoPrimitive) {
+    const glm::dvec3 shift = surface_.mesh->origin_m - field.world_origin_m();
+    flat_triangle(*surface_.mesh, flaw.triangle, shift)
+        .cover(flaw.i * field.dx_m, flaw.j * field.dy_m, height);
+  }
+  return height;
+}
+
+std::vector<Offender> OffenderFinder::sample_flaws(SampleFlaw::Kind kind) const {
+  const terrain::Heightfield& field = truth_.field();
+  std::vector<Offender> found;
+  for (const SampleFlaw& flaw : result_.samples.listed) {
+    if (flaw.kind != kind) continue;
+    found.push_back(at_place(name_of(kind), 1.0, Unit::Count,
+                             {flaw.i * field.dx_m, flaw.j * field.dy_m, height_over(flaw)},
+                             flaw.triangle));
+    found.back().sample_i = flaw.i;
+    found.back().sample_j = flaw.j;
+  }
+  return found;
+}
+
+std::vector<Offender> OffenderFinder::worst(const std::vector<ClaimResult>& claims,
+                                            std::size_t most) const {
+  std::vector<Offender> found;
+  std::set<std::pair<std::string, Unit>> told;
+  const auto add = [&](std::vector<Offender> places) {
+    std::move(places.begin(), places.end(), std::back_inserter(found));
+  };
+  const auto add_broken = [&](const ClaimResult& claim) {
+    if (!claim.is_broken()) return;
+    // A claim and a limit of one measure are broken at the same places; patches each have theirs.
+    const bool is_new = told.emplace(claim.label, claim.claim.unit).second;
+    if (!is_new && claim.claim.scope == Scope::Frame) return;
+    add(claim.places);
+  };
+  const std::string coverage = name_of(Measure::Coverage);
+  for (const ClaimResult& claim : claims) {
+    if (claim.label == coverage) add_broken(claim);
+  }
+  for (const ClaimResult& claim : claims) {
+    if (claim.label != coverage) add_broken(claim);
+  }
+  const auto is_told = [&](const char* label, Unit unit) { return told.count({label, unit}) > 0; };
+  const auto add_sample = [&](const WorstSample& worst, Unit unit, double pixels_per_metre) {
+    if (worst.error > truth_.slack_m * pixels_per_metre && !is_told("sample-error", unit))
+      add({*at_sample("sample-error", worst, unit)});
+  };
+  if (!is_told("coverage", Unit::Count)) add(defects(most));
+  add_sample(result_.samples.worst_px, Unit::Pixel, result_.samples.pixels_per_metre);
+  add_sample(result_.samples.worst_m, Unit::Metre, 1.0);
+  if (!is_told("pixel-error", Unit::Pixel))
+    add(pixels("pixel-error", result_.pixels.vertical_px, Unit::Pixel, most, false,
+               truth_.slack_m * result_.pixels.pixels_per_metre));
+  if (!is_told("topology", Unit::Count)) add(topology_flaws());
+  if (!is_told("uncovered-samples", Unit::Count)) add(sample_flaws(SampleFlaw::Kind::Uncovered));
+  add(sample_flaws(SampleFlaw::Kind::OverVoid));
+  add(sample_flaws(SampleFlaw::Kind::Overlapped));
   return found;
 }
 

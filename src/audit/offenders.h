@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,7 +10,7 @@
 
 namespace plumb::audit {
 
-/// Names places of one audit: pixel, world coordinates, sample and patch.
+/// Names places of one audit: pixel, world coordinates, sample, triangle and patch.
 class OffenderFinder {
  public:
   /// Keeps references to all of them.
@@ -25,14 +26,28 @@ class OffenderFinder {
                     std::uint32_t triangle) const;
   /// What is drawn at a pixel.
   Offender at_pixel(std::string what, double value, Unit unit, std::size_t pixel) const;
+  /// What the truth shows at a pixel.
+  Offender at_true_pixel(std::string what, double value, Unit unit, std::size_t pixel) const;
   Offender at_defect(const CoverageDefect& defect) const;
 
-  /// Defects of coverage and the pixels that are farthest off, at most `most` of each, the worst
-  /// samples, and what the topology lists.
-  std::vector<Offender> worst(std::size_t most) const;
+  /// The first defects of coverage.
+  std::vector<Offender> defects(std::size_t most) const;
+  /// The pixels with the largest errors above `above`, worst first; `of_truth`: at_true_pixel.
+  std::vector<Offender> pixels(const std::string& what, std::span<const float> errors, Unit unit,
+                               std::size_t most, bool of_truth = false, double above = 0.0) const;
+  /// What the topology lists.
+  std::vector<Offender> topology_flaws() const;
+  /// The samples of one kind that are listed.
+  std::vector<Offender> sample_flaws(SampleFlaw::Kind kind) const;
+
+  /// The places of broken claims, defects of coverage before all; then, as far as they are not
+  /// among those, the worst samples, the pixels that are farthest off, and what topology and
+  /// samples list. An error of those that the truth's rounding explains is none.
+  std::vector<Offender> worst(const std::vector<ClaimResult>& claims, std::size_t most) const;
 
  private:
   void set_patch(Offender& o, int patch) const;
+  double height_over(const SampleFlaw& flaw) const;
 
   const AuditResult& result_;
   const HeightfieldTruth& truth_;

@@ -28,6 +28,7 @@ struct RowErrors {
   std::vector<std::pair<int, double>>
       patches;                    // patch and its largest error in this row, runs joined
   std::vector<float> visible_px;  // of the samples that the truth shows
+  std::vector<SampleFlaw> listed;
   std::int64_t uncovered = 0, over_void = 0, overlapped = 0;
   double pixels_per_metre = 0.0;
 };
@@ -40,10 +41,11 @@ struct RowValues {
 class RowMeasure {
  public:
   RowMeasure(const HeightfieldTruth& truth, const HitImage& true_hits, const DrawnSurface& surface,
-             const Camera& local)
+             const Camera& local, int most_listed)
       : truth_(truth),
         true_hits_(true_hits),
         surface_(surface),
+        most_listed_(most_listed),
         camera_(local),
         project_(project_samples(instruction_set())),
         deepest_m_(neighbourhoods(true_hits, 1).deepest) {}
@@ -69,13 +71,18 @@ class RowMeasure {
  private:
   void add_samples(int first, int j, int count, const DeviationRow& row,
                    const ProjectedSamples& samples, RowErrors& errors) const {
-    for (int k = 0; k < count; ++k) errors.overlapped += row.sheets[first + k] > 1.0;
+    const auto is_overlapped = [&](int k) { return row.sheets[first + k] > 1.0; };
+    const std::int64_t overlapped = errors.overlapped;
+    for (int k = 0; k < count; ++k) errors.overlapped += is_overlapped(k);
+    if (errors.overlapped > overlapped)
+      list(SampleFlaw::Kind::Overlapped, overlapped, first, j, {0, count}, row, is_overlapped,
+           errors);
     // Neighbours mostly share a triangle, and its patch.
     for (int begin = 0, end = 0; begin < count; begin = end) {
       const double triangle = row.triangle[first + begin];
       for (end = begin + 1; end < count && row.triangle[first + end] == triangle;) ++end;
       if (triangle < 0.0) {
-        for (int k = begin; k < end; ++k) count_missing(first + k, j, errors);
+        add_missing(first, j, {begin, end}, row, errors);
       } else {
         add_run(first, j, {begin, end}, row, samples, errors);
       }
@@ -89,11 +96,12 @@ class RowMeasure {
     const std::uint32_t triangle = row[first + run.x].triangle;
     const int before = errors.patches.empty() ? -1 : errors.patches.back().first;
     const int patch = patch_of(surface_, triangle, before);
-    if (patch != before) errors.patches.emplace_back(patch, 0.0);
+    if (patch != before) errors.patches.emplace_back(patch, -1.0);
     double& most = errors.patches.back().second;
     const auto keep = [&](WorstSample& worst, int k, double error) {
       worst = {first + k, j, error, row.delta_m[first + k], triangle, patch};
     };
+    const std::int64_t over_void = errors.over_void;
     for (int k = run.x; k < run.y; ++k) {
       const double metres = samples.metres[k], pixels = samples.pixels[k];
       errors.over_void += std::isnan(metres);
@@ -102,6 +110,21 @@ class RowMeasure {
         keep(errors.worst_m, k, metres);
       if (pixels > errors.worst_px.error || (errors.worst_px.i < 0 && pixels == 0.0))
         keep(errors.worst_px, k, pixels);
+    }
+    if (errors.over_void > over_void)
+      list(
+          SampleFlaw::Kind::OverVoid, over_void, first, j, run, row,
+          [&](int k) { return std::isnan(samples.metres[k]); }, errors);
+  }
+
+  // Those of a run that are flawed, until the row has enough of their kind; it had `listed` before.
+  template <class IsFlawed>
+  void list(SampleFlaw::Kind kind, std::int64_t listed, int first, int j, glm::ivec2 run,
+            const DeviationRow& row, const IsFlawed& is_flawed, RowErrors& errors) const {
+    for (int k = run.x; k < run.y && listed < most_listed_; ++k) {
+      if (!is_flawed(k)) continue;
+      errors.listed.push_back({kind, first + k, j, row[first + k].triangle});
+      ++listed;
     }
   }
 
@@ -122,27 +145,59 @@ class RowMeasure {
     visible_px.insert(visible_px.end(), shown, shown + number);
   }
 
-  // A sample with nothing drawn over it: a void, or of no triangle that exists, or missing.
-  void count_missing(int i, int j, RowErrors& errors) const {
+  // Samples with nothing drawn over them: voids, or of no triangle that exists, or missing.
+  void add_missing(int first, int j, glm::ivec2 run, const DeviationRow& row,
+                   RowErrors& errors) const {
     const terrain::Heightfield& field = truth_.field();
-    errors.uncovered +=
-        !field.is_void(i, j) &&
-        reference::exists_at(field, truth_.diagonal(), i * field.dx_m, j * field.dy_m);
+    const auto is_missing = [&](int k) {
+      const int i = first + k;
+      return !field.is_void(i, j) &&
+             reference::exists_at(field, truth_.diagonal(), i * field.dx_m, j * field.dy_m);
+    };
+    const std::int64_t uncovered = errors.uncovered;
+    for (int k = run.x; k < run.y; ++k) errors.uncovered += is_missing(k);
+    if (errors.uncovered > uncovered)
+      list(SampleFlaw::Kind::Uncovered, uncovered, first, j, run, row, is_missing, errors);
   }
 
   const HeightfieldTruth& truth_;
   const HitImage& true_hits_;
   const DrawnSurface& surface_;
+  int most_listed_;
   ProjectingCamera camera_;
   ProjectSamples project_;
   std::vector<double> deepest_m_;  // of the truth's pixels, and the eight next to each
 };
+
+// The first of each kind of all rows.
+std::vector<SampleFlaw> joined_flaws(const std::vector<RowErrors>& rows, int most_listed) {
+  std::vector<SampleFlaw> all;
+  int listed[3] = {0, 0, 0};
+  for (const RowErrors& row : rows) {
+    for (const SampleFlaw& flaw : row.listed) {
+      if (listed[static_cast<std::size_t>(flaw.kind)]++ < most_listed) all.push_back(flaw);
+    }
+  }
+  return all;
+}
 
 void keep_worse(WorstSample& worst, const WorstSample& other) {
   if (other.i >= 0 && (worst.i < 0 || other.error > worst.error)) worst = other;
 }
 
 }  // namespace
+
+const char* name_of(SampleFlaw::Kind kind) {
+  switch (kind) {
+    case SampleFlaw::Kind::Uncovered:
+      return "uncovered sample";
+    case SampleFlaw::Kind::OverVoid:
+      return "void drawn over";
+    case SampleFlaw::Kind::Overlapped:
+      return "overlapped sample";
+  }
+  return "?";
+}
 
 bool in_frustum(const Camera& camera, const glm::dvec3& point_m) {
   const glm::dvec3 view = to_view(camera, point_m);
@@ -151,9 +206,9 @@ bool in_frustum(const Camera& camera, const glm::dvec3& point_m) {
 }
 
 SampleErrors sample_errors(const HeightfieldTruth& truth, const HitImage& true_hits,
-                           const DrawnSurface& surface, const Camera& camera) {
+                           const DrawnSurface& surface, const Camera& camera, int most_listed) {
   const Camera local = relative_to(camera, truth.field().world_origin_m());
-  const RowMeasure measure(truth, true_hits, surface, local);
+  const RowMeasure measure(truth, true_hits, surface, local, most_listed);
   std::vector<RowErrors> rows(static_cast<std::size_t>(truth.field().rows()));
   SampleErrors errors;
   const auto columns = static_cast<std::size_t>(truth.field().columns());
@@ -165,7 +220,7 @@ SampleErrors sample_errors(const HeightfieldTruth& truth, const HitImage& true_h
         const auto part = [&](SampleMap& map) { return map.span().data() + y * columns; };
         rows[y] = measure(j, row, {part(errors.values_m), part(errors.values_px)});
       });
-  errors.patch_max_m.assign(std::max<std::size_t>(1, surface.patches.size()), 0.0);
+  errors.patch_max_m.assign(std::max<std::size_t>(1, surface.patches.size()), -1.0);
   // From the south, so that the first of equals is the same on every machine.
   for (const RowErrors& row : rows) {
     for (const auto& [patch, error] : row.patches) {
@@ -179,6 +234,7 @@ SampleErrors sample_errors(const HeightfieldTruth& truth, const HitImage& true_h
     errors.overlapped += row.overlapped;
     errors.pixels_per_metre = std::max(errors.pixels_per_metre, row.pixels_per_metre);
   }
+  errors.listed = joined_flaws(rows, most_listed);
   errors.metres = distribution_of(errors.values_m.span());
   errors.pixels = distribution_of(errors.values_px.span());
   std::vector<float> visible_px;

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "audit/distribution.h"
-#include "audit/mesh_edges.h"
 #include "audit/truth.h"
 #include "core/camera.h"
 #include "core/drawn_surface.h"
@@ -23,6 +22,17 @@ struct WorstSample {
   std::uint32_t triangle = kNoPrimitive;
   int patch = -1;
 };
+
+/// A sample where the drawn surface is not one sheet over the terrain.
+struct SampleFlaw {
+  enum class Kind : std::uint8_t { Uncovered, OverVoid, Overlapped };
+  Kind kind = Kind::Uncovered;
+  int i = 0, j = 0;                       // column and row of the heightfield
+  std::uint32_t triangle = kNoPrimitive;  // over it; kNoPrimitive where nothing is drawn
+};
+
+const char* name_of(
+    SampleFlaw::Kind kind);  // "uncovered sample", "void drawn over", "overlapped sample"
 
 /// A float for each sample that its rows' tasks fill: nobody writes it before them.
 class SampleMap {
@@ -48,10 +58,12 @@ struct SampleErrors {
   WorstSample worst_m, worst_px;
   std::vector<float>
       triangle_max_m;  // a triangle each, over the samples that it covers, edges included
-  std::vector<double> patch_max_m;  // a patch each; 0 where a patch holds no sample
+  std::vector<double> patch_max_m;  // a patch each; -1 where a patch holds no sample
   std::int64_t uncovered = 0;       // samples of the surface with nothing drawn over them
   std::int64_t over_void = 0;       // void samples with something drawn over them
   std::int64_t overlapped = 0;      // samples in the inside of more than one triangle
+  std::vector<SampleFlaw> listed;   // the first of each kind, row by row from the south, at most
+                                    // `most_listed` of a kind
   double pixels_per_metre =
       0.0;  // largest displacement on screen of a vertical metre, of the samples in the frustum
 };
@@ -59,21 +71,7 @@ struct SampleErrors {
 /// Vertical deviation of the drawn surface at every sample, in metres and projected: |proj(p + dz)
 /// - proj(p)|. A sample counts as part of the surface if one of its triangles exists.
 SampleErrors sample_errors(const HeightfieldTruth& truth, const HitImage& true_hits,
-                           const DrawnSurface& surface, const Camera& camera);
-
-/// The same between the samples: at the drawn mesh's vertices and wherever a drawn edge crosses an
-/// edge of the truth. With the samples themselves these are all places where the distance of two
-/// piecewise linear surfaces can be largest.
-struct EdgeErrors {
-  double max_m = 0.0;
-  double max_px = 0.0;                     // of places in the frustum
-  double pixels_per_metre = 0.0;           // on screen, where that is
-  glm::dvec3 worst_m{0.0}, worst_px{0.0};  // places on the truth, relative to the terrain's origin
-  std::uint32_t triangle_m = kNoPrimitive, triangle_px = kNoPrimitive;
-  std::int64_t places = 0;  // looked at, each once
-};
-EdgeErrors edge_errors(const HeightfieldTruth& truth, const TriangleMesh& mesh,
-                       const MeshEdges& edges, const Camera& camera);
+                           const DrawnSurface& surface, const Camera& camera, int most_listed = 20);
 
 /// True if the point (in the camera's coordinates) is between near and far and inside the image.
 bool in_frustum(const Camera& camera, const glm::dvec3& point_m);

@@ -22,6 +22,8 @@ VerdictWords words_of(Verdict verdict) {
       return {"broken", "Broken"};
     case Verdict::MeasuredOnly:
       return {"measured", "Measured only"};
+    case Verdict::None:
+      return {"measured", "No verdict"};
   }
   return {"measured", "?"};
 }

@@ -9,7 +9,7 @@
 
 namespace plumb::report {
 
-enum class Verdict { Held, Broken, MeasuredOnly };
+enum class Verdict { Held, Broken, MeasuredOnly, None };
 
 struct KeyValue {
   std::string key;
@@ -53,12 +53,12 @@ struct Viewer {
 
 /// A place worth looking at.
 struct Offender {
-  int x_px = 0;  // pixel of the viewer's pictures, from the top left
+  int x_px = 0;  // pixel of the viewer's pictures, from the top left; below 0: out of view
   int y_px = 0;
   std::vector<std::string> cells;
 };
 
-/// A list of places; each jumps to its pixel in a viewer and marks it there.
+/// A list of places; each that is in view jumps to its pixel in a viewer and marks it there.
 struct OffenderList {
   std::string caption;
   std::string viewer_id;

@@ -37,6 +37,13 @@ std::string figure(const Viewer& viewer, const ViewerImage& image) {
   return html;
 }
 
+std::string pixel_link(const std::string& viewer_id, const Offender& offender) {
+  if (offender.x_px < 0 || offender.y_px < 0) return "out of view";
+  return fmt::format("<a href=\"#{}\" data-viewer=\"{}\" data-x=\"{}\" data-y=\"{}\">{}, {}</a>",
+                     viewer_id, viewer_id, offender.x_px, offender.y_px, offender.x_px,
+                     offender.y_px);
+}
+
 }  // namespace
 
 std::string png_address(std::span<const std::uint8_t> png, std::string_view name, int width_px,
@@ -81,11 +88,9 @@ void HtmlPage::add_offenders(const OffenderList& list) {
       escape_html(list.caption), header_cells(list.columns));
   int rank = 0;
   for (const Offender& offender : list.offenders) {
-    html += fmt::format(
-        "<tr><td class=\"number\">{}</td><td class=\"number\"><a href=\"#{}\" data-viewer=\"{}\" "
-        "data-x=\"{}\" data-y=\"{}\">{}, {}</a></td>{}</tr>\n",
-        ++rank, list.viewer_id, list.viewer_id, offender.x_px, offender.y_px, offender.x_px,
-        offender.y_px, body_cells(list.columns, offender.cells));
+    html +=
+        fmt::format("<tr><td class=\"number\">{}</td><td class=\"number\">{}</td>{}</tr>\n", ++rank,
+                    pixel_link(list.viewer_id, offender), body_cells(list.columns, offender.cells));
   }
   body_ += html + "</tbody></table></div>\n";
 }

@@ -137,6 +137,7 @@ TEST(AuditCommand, RefusesWhatItCannotJudgeInOneLine) {
   refuses({"--limit", "beauty=1px"}, "beauty");
   refuses({"--camera", "nowhere"}, "nowhere");
   refuses({"--mesh", "no-such.ply"}, "no-such.ply");
+  refuses({"--limit", "nearest-error=1px", "--without-nearest"}, "nearest-error");
 }
 
 // A square sheet one metre above a plane, written by hand.
@@ -159,6 +160,127 @@ TEST(AuditCommand, JudgesAStrangersMeshByTheLimitsThatItIsGiven) {
   std::vector<std::string> limited = common;
   limited.insert(limited.end(), {"--limit", "sample-error=0.9m"});
   EXPECT_EQ(run_plumb(limited).status, 1);
+}
+
+std::string text_of(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// The method keeps its promise at the samples; the truth that it is held against is cut along other
+// diagonals, and is far off between them.
+TEST(AuditCommand, ShowsWhereTheSurfaceErrorIsBroken) {
+  TemporaryFolder folder;
+  const std::vector<std::string> arguments{
+      "audit", "generate:alpine?size=129", "--diagonal", "fixed", "--tolerance", "1m", "--size",
+      "160x90"};
+  std::vector<std::string> with_json = arguments;
+  with_json.insert(with_json.end(), {"--json", "-o", folder.file("report")});
+  const CommandResult result = run_plumb(arguments);
+  EXPECT_EQ(result.status, 1) << result.err;
+  EXPECT_NE(result.out.find("worst: surface-error 14.33 m "), std::string::npos) << result.out;
+  EXPECT_EQ(result.out.find("worst: sample-error"), std::string::npos) << result.out;
+  const json written = json::parse(run_plumb(with_json).out);
+  const json& claim = written.at("claims").at(1);
+  EXPECT_EQ(claim.at("measure"), "surface-error");
+  EXPECT_EQ(claim.at("verdict"), "broken");
+  EXPECT_GT(claim.at("violations").get<int>(), 1000);  // places, of 26 thousand triangles
+  const json& worst = written.at("offenders").at(0);
+  EXPECT_EQ(worst.at("breaks"), "surface-error");
+  EXPECT_EQ(worst.at("value"), claim.at("measured"));
+  EXPECT_EQ(worst, claim.at("worst"));
+  EXPECT_TRUE(worst.at("triangle").is_number());
+  const std::string page = text_of(folder.file("report") + "/report.html");
+  EXPECT_NE(page.find("<td>surface-error</td><td class=\"number\">14.33 m</td>"),
+            std::string::npos);
+}
+
+// Two squares on a plane, with a gap of one between them; the eye looks at none of it.
+TEST(AuditCommand, ShowsWhereTheTopologyIsBrokenOutOfView) {
+  TemporaryFolder folder;
+  const std::string mesh = folder.file("squares.obj");
+  std::ofstream(mesh) << "v 0 0 0\nv 160 0 0\nv 160 640 0\nv 0 640 0\n"
+                         "v 320 0 0\nv 640 0 0\nv 640 640 0\nv 320 640 0\n"
+                         "f 1 2 3\nf 1 3 4\nf 5 6 7\nf 5 7 8\n";
+  const std::vector<std::string> arguments{"audit",    "generate:plane?size=65&spacing=10&height=0",
+                                           "--mesh",   mesh,
+                                           "--camera", "320,320,500,320,320,900",
+                                           "--size",   "60x60",
+                                           "--limit",  "topology=0",
+                                           "-o",       folder.file("report")};
+  const CommandResult result = run_plumb(arguments);
+  EXPECT_EQ(result.status, 1) << result.err;
+  EXPECT_NE(result.out.find("worst: topology (open edge) out of view, world ("), std::string::npos)
+      << result.out;
+  EXPECT_EQ(result.out.find(" 0 px at"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("not measured"), std::string::npos) << result.out;  // coverage
+  const json written = json::parse(text_of(folder.file("report") + "/audit.json"));
+  EXPECT_EQ(written.at("claims").at(1).at("violations"), 2);
+  EXPECT_EQ(written.at("offenders").at(0).at("what"), "open edge");
+  EXPECT_TRUE(written.at("offenders").at(0).at("pixel").is_null());
+  EXPECT_NE(text_of(folder.file("report") + "/report.html").find("out of view"), std::string::npos);
+}
+
+TEST(AuditCommand, HasNoVerdictWhereNothingIsInView) {
+  const std::vector<std::string> away{"--tolerance", "1px", "--camera",
+                                      "300,300,90000,300,300,100000"};
+  TemporaryFolder folder;
+  std::vector<std::string> written = away;
+  written.insert(written.end(), {"-o", folder.file("report")});
+  const CommandResult result = run_plumb(with({"audit"}, written));
+  EXPECT_EQ(result.status, 2) << result.out;
+  EXPECT_NE(result.out.find("\nNo verdict: nothing of the terrain is in view of this camera.\n"),
+            std::string::npos)
+      << result.out;
+  EXPECT_EQ(result.out.find("holds"), std::string::npos) << result.out;
+  EXPECT_NE(text_of(folder.file("report") + "/report.html").find("<strong>No verdict</strong>"),
+            std::string::npos);
+  std::vector<std::string> as_json = away;
+  as_json.push_back("--json");
+  const CommandResult told = run_plumb(with({"audit"}, as_json));
+  EXPECT_EQ(told.status, 2);
+  EXPECT_EQ(std::count(told.err.begin(), told.err.end(), '\n'), 1) << told.err;
+  const json j = json::parse(told.out);
+  EXPECT_EQ(j.at("verdict"), "none");
+  EXPECT_EQ(j.at("no_verdict"), "nothing of the terrain is in view of this camera");
+  EXPECT_EQ(j.at("claims").at(0).at("verdict"), "not measured");
+  EXPECT_TRUE(j.at("claims").at(0).at("holds").is_null());
+  EXPECT_TRUE(j.at("claims").at(0).at("measured").is_null());
+}
+
+TEST(AuditCommand, HasNoVerdictOfATerrainWithoutASurface) {
+  const CommandResult result = run_plumb({"audit", "generate:plane?size=1", "--size", "40x30"});
+  EXPECT_EQ(result.status, 2) << result.out;
+  EXPECT_NE((result.out + result.err).find("No verdict: the terrain has no surface (1 x 1 samples"),
+            std::string::npos)
+      << result.out << result.err;
+}
+
+// Bounds in metres do not depend on the view: what can be measured is judged.
+TEST(AuditCommand, JudgesWhatCanBeMeasuredOutOfView) {
+  const CommandResult result =
+      run_plumb(with({"audit"}, {"--tolerance", "5m", "--camera", "300,300,90000,300,300,100000"}));
+  EXPECT_EQ(result.status, 0) << result.out << result.err;
+  EXPECT_NE(result.out.find("not measured: coverage"), std::string::npos) << result.out;
+}
+
+TEST(AuditCommand, PassesOverFramesOfAPathThatShowNothing) {
+  TemporaryFolder folder;
+  const std::string away = "[[camera]]\neye = [300, 300, 90000]\ntarget = [300, 300, 100000]\n";
+  const std::string down = "[[camera]]\neye = [300, 300, 9000]\ntarget = [300, 301, 0]\n";
+  std::ofstream(folder.file("some.toml")) << away << down;
+  std::ofstream(folder.file("none.toml")) << away << away;
+  const CommandResult some =
+      run_plumb(with({"audit"}, {"--tolerance", "1px", "--camera", folder.file("some.toml")}));
+  EXPECT_EQ(some.status, 0) << some.out << some.err;
+  EXPECT_NE(some.out.find("1 of 2 frames keep every claim; 1 without a verdict: nothing of the "
+                          "terrain is in view of this camera."),
+            std::string::npos)
+      << some.out;
+  const CommandResult none =
+      run_plumb(with({"audit"}, {"--tolerance", "1px", "--camera", folder.file("none.toml")}));
+  EXPECT_EQ(none.status, 2) << none.out << none.err;
+  EXPECT_NE(none.out.find("No verdict"), std::string::npos) << none.out;
 }
 
 TEST(TruthCommand, HasAWitnessThatAgrees) {

@@ -144,8 +144,8 @@ TEST(RenderCommand, SaysWhatItCannotDo) {
 
 constexpr const char* kPath =
     "[path]\nframes = 2\nwidth = 48\nheight = 27\n"
-    "[[key]]\neye = [0, -100, 900]\ntarget = [600, 600, 400]\n"
-    "[[key]]\neye = [50, -50, 950]\ntarget = [600, 600, 400]\n";
+    "[[key]]\neye = [0, -100, 2900]\ntarget = [600, 600, 1200]\n"
+    "[[key]]\neye = [50, -50, 2950]\ntarget = [600, 600, 1200]\n";
 
 TEST(RenderCommand, DrawsEveryFrameOfAPath) {
   const TemporaryFolder folder;

@@ -8,6 +8,7 @@
 #include "audit/audit_json.h"
 #include "audit/audit_page.h"
 #include "audit/frame_memory.h"
+#include "audit/verdict_text.h"
 #include "audit_text.h"
 #include "command.h"
 #include "common_options.h"
@@ -142,6 +143,10 @@ void write_frame(const Run& run, Audited& audited, const std::string& folder) {
       audit::write_report(folder, audited.result, audited.subject, run.drawn.surface, run.truth);
 }
 
+int exit_status(audit::Verdict verdict) {
+  return verdict == audit::Verdict::Held ? 0 : verdict == audit::Verdict::Broken ? 1 : 2;
+}
+
 int audit_one(Run& run, const Camera& camera) {
   Audited audited = audit_frame(run, camera, "");
   write_frame(run, audited, run.options.output);
@@ -158,19 +163,46 @@ int audit_one(Run& run, const Camera& camera) {
     for (const std::string& file : audited.files) list += " " + file;
     std::cout << "written to " << run.options.output << ":" << list << "\n";
   }
-  return audited.result.holds() ? 0 : 1;
+  const audit::Verdict verdict = audited.result.verdict();
+  if (json && verdict == audit::Verdict::None)
+    std::cerr << audit::verdict_sentence(audited.result) << "\n";
+  return exit_status(verdict);
 }
+
+// Frames of a path by their verdicts.
+struct FrameCount {
+  std::size_t held = 0, broken = 0, none = 0;
+  std::string why_none;  // of the first such frame
+
+  void add(const AuditResult& result) {
+    const audit::Verdict verdict = result.verdict();
+    ++(verdict == audit::Verdict::Held ? held : verdict == audit::Verdict::Broken ? broken : none);
+    if (none == 1 && why_none.empty()) why_none = result.no_verdict;
+  }
+  // Frames without a verdict are passed over, unless all are.
+  audit::Verdict verdict() const {
+    if (broken > 0) return audit::Verdict::Broken;
+    return held > 0 ? audit::Verdict::Held : audit::Verdict::None;
+  }
+  std::string text() const {
+    const std::size_t frames = held + broken + none;
+    if (none == frames) return fmt::format("No verdict of any frame: {}.", why_none);
+    std::string text = fmt::format("{} of {} frames keep every claim", held, frames);
+    if (none > 0) text += fmt::format("; {} without a verdict: {}", none, why_none);
+    return text + ".";
+  }
+};
 
 int audit_path(Run& run, const std::vector<Camera>& frames) {
   std::vector<std::vector<std::string>> rows;
   std::string json;
-  std::size_t broken = 0;
+  FrameCount count;
   for (std::size_t k = 1; k <= frames.size(); ++k) {
     Audited audited =
         audit_frame(run, frames[k - 1], fmt::format("frame {} of {}", k, frames.size()));
     audited.subject.command += fmt::format(" --frame {}", k);
     write_frame(run, audited, run.options.output + "/" + frame_name(k));
-    broken += audited.result.holds() ? 0 : 1;
+    count.add(audited.result);
     rows.push_back(frame_row(k, audited.result));
     if (run.options.json)
       json += (json.empty() ? "" : ",\n") + audit::audit_json(audited.result, audited.subject);
@@ -179,13 +211,13 @@ int audit_path(Run& run, const std::vector<Camera>& frames) {
   if (run.options.json) {
     std::cout << "{\"schema\": \"plumb.audit-path/1\", \"frames\": [\n" << json << "]}\n";
   } else {
-    std::cout << text_table(frame_columns(), rows)
-              << fmt::format("\n{} of {} frames keep every claim.\n", frames.size() - broken,
-                             frames.size());
+    std::cout << text_table(frame_columns(), rows) << fmt::format("\n{}\n", count.text());
     if (!run.options.output.empty())
       std::cout << "written to " << run.options.output << "/" << frame_name(1) << " and on\n";
   }
-  return broken == 0 ? 0 : 1;
+  if (run.options.json && count.verdict() == audit::Verdict::None)
+    std::cerr << count.text() << "\n";
+  return exit_status(count.verdict());
 }
 
 int run_audit(const AuditCommandOptions& options, const Invocation& invocation) {
@@ -219,7 +251,7 @@ Command audit_command() {
   command.name = "audit";
   command.summary =
       "Tell how wrong a method's picture is, where, and whether its claims hold (exit status 1 if "
-      "not)";
+      "not, 2 if nothing could be measured)";
   command.example =
       "plumb audit 'generate:alpine?size=513' --method restricted-quadtree --tolerance 1px "
       "--camera oblique -o report";

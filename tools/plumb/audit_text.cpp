@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "audit/audit_page.h"
+#include "audit/verdict_text.h"
 #include "text_table.h"
 
 namespace plumb::tool {
@@ -19,9 +19,9 @@ Rows claim_rows(const AuditResult& result) {
                     c.claim.scope == Scope::Frame ? (c.is_limit ? "limit" : "frame")
                                                   : fmt::format("patch {}", c.claim.patch),
                     audit::with_unit(c.claim.bound, c.claim.unit),
-                    audit::with_unit(c.measured, c.claim.unit),
-                    tightness ? audit::short_number(*tightness) : "-", std::to_string(c.violations),
-                    c.holds ? "held" : "BROKEN"});
+                    c.is_measured ? audit::with_unit(c.measured, c.claim.unit) : "-",
+                    tightness ? audit::short_number(*tightness) : "-",
+                    c.is_measured ? std::to_string(c.violations) : "-", audit::verdict_word(c)});
   }
   return rows;
 }
@@ -98,14 +98,7 @@ std::string audit_text(const AuditResult& result) {
                      error_rows(result)) +
           "\n";
   text += text_table({{""}, {""}}, summary_rows(result));
-  for (const audit::Offender& o : result.offenders) {
-    if (result.holds() || o.x < 0) continue;
-    text += fmt::format("worst: {} {} at pixel ({}, {}), world ({:.8g}, {:.8g}, {:.7g}){}\n",
-                        o.what, audit::with_unit(o.value, o.unit), o.x, o.y, o.world_m.x,
-                        o.world_m.y, o.world_m.z,
-                        o.patch >= 0 ? fmt::format(", patch {} ({})", o.patch, o.patch_name) : "");
-    break;
-  }
+  for (const std::string& line : audit::worst_lines(result)) text += line + "\n";
   return text + "\n" + audit::verdict_sentence(result) + "\n";
 }
 
@@ -121,12 +114,18 @@ const audit::ClaimResult* tightest(const AuditResult& result) {
   return least;
 }
 
+const char* frame_verdict(audit::Verdict verdict) {
+  return verdict == audit::Verdict::Held     ? "held"
+         : verdict == audit::Verdict::Broken ? "BROKEN"
+                                             : "no verdict";
+}
+
 }  // namespace
 
 std::vector<std::string> frame_row(std::size_t number, const AuditResult& result) {
   const audit::ClaimResult* claim = tightest(result);
   return {std::to_string(number),
-          result.holds() ? "held" : "BROKEN",
+          frame_verdict(result.verdict()),
           claim ? claim->label : "-",
           claim ? audit::with_unit(claim->claim.bound, claim->claim.unit) : "-",
           claim ? audit::with_unit(claim->measured, claim->claim.unit) : "-",

@@ -135,7 +135,8 @@ TEST_F(PaintedSurface, IsNotJudgedWhereItsRaysBeginBelowTheGround) {
   EXPECT_GT(solid.pixels_set_aside, 3000);
   EXPECT_EQ(solid.vertical.count, 0);
   EXPECT_EQ(solid.coverage.defect_count(), 0);
-  EXPECT_TRUE(solid.holds());
+  EXPECT_EQ(solid.verdict(), Verdict::None);
+  EXPECT_EQ(solid.no_verdict, "all that is in view of this camera is set aside");
 }
 
 // A ridge, and behind it flat ground, with a gap in it or without. A ray that is let pass below the

@@ -95,6 +95,8 @@ TEST(HtmlPage, SaysTheVerdictInWordsAndNotInColourAlone) {
   EXPECT_TRUE(has(page.text(), "<p class=\"verdict held\"><strong>Held</strong> <span>one</span>"));
   EXPECT_TRUE(has(page.text(), "<p class=\"verdict broken\"><strong>Broken</strong>"));
   EXPECT_TRUE(has(page.text(), "<p class=\"verdict measured\"><strong>Measured only</strong>"));
+  page.add_verdict(Verdict::None, "four");
+  EXPECT_TRUE(has(page.text(), "<strong>No verdict</strong> <span>four</span>"));
 }
 
 TEST(HtmlPage, MarksNumbersAndKindsOfRows) {
@@ -120,6 +122,13 @@ TEST(HtmlPage, ShowsEveryPictureWithoutAScript) {
 TEST(HtmlPage, LinksEachOffenderToItsPixel) {
   EXPECT_TRUE(has(full_page().text(),
                   "<a href=\"#view-1\" data-viewer=\"view-1\" data-x=\"3\" data-y=\"2\">3, 2</a>"));
+}
+
+TEST(HtmlPage, ListsAnOffenderOutOfViewWithoutALink) {
+  HtmlPage page("t");
+  page.add_offenders({"c", "v", {{"a", false}}, {{-1, -1, {"far off"}}}});
+  EXPECT_TRUE(has(page.text(), "<td class=\"number\">out of view</td><td>far off</td>"));
+  EXPECT_FALSE(has(page.text(), "<a href"));
 }
 
 TEST(HtmlPage, RefusesRowsThatDoNotFit) {
