@@ -8,8 +8,10 @@
 
 #include "audit/scene.h"
 #include "audit/toml_document.h"
+#include "core/box.h"
 #include "core/check.h"
 #include "core/number_text.h"
+#include "core/reproducible_math.h"
 #include "terrain/camera_presets.h"
 
 namespace plumb::audit {
@@ -69,6 +71,7 @@ constexpr Key kKeys[] = {
                   const TomlValue& v) { c.height_px = whole_number_in(v, 1, kLargestSide_px); }},
     {"near", [](CameraDescription& c, const TomlValue& v) { c.near_m = number_in(v); }},
     {"far", [](CameraDescription& c, const TomlValue& v) { c.far_m = number_in(v); }},
+    {"tilt_deg", [](CameraDescription& c, const TomlValue& v) { c.tilt_deg = number_in(v); }},
     {"view", [](Description& c, const TomlValue& v) { engine_of(c).view = matrix_in(v); }},
     {"projection",
      [](Description& c, const TomlValue& v) { engine_of(c).projection = matrix_in(v); }},
@@ -164,6 +167,22 @@ std::optional<CameraDescription> parse_camera_numbers(const std::string& text) {
   return camera;
 }
 
+LookAt turned_for_tilt(LookAt camera, double tilt_deg, const terrain::Heightfield& field) {
+  if (!(tilt_deg >= -180.0 && tilt_deg <= 180.0))
+    input_error("a terrain's tilt must lie between -180 and 180 degrees, got {}", tilt_deg);
+  const Box box = bounds(field);
+  const glm::dvec3 middle =
+      field.world_origin_m() + (box.empty() ? glm::dvec3(0.0) : 0.5 * (box.low + box.high));
+  const double c = reproducible_cos(radians(tilt_deg)), s = reproducible_sin(radians(tilt_deg));
+  const auto turned = [&](const glm::dvec3& v) {
+    return glm::dvec3(v.x, c * v.y + s * v.z, c * v.z - s * v.y);
+  };
+  camera.eye_m = middle + turned(camera.eye_m - middle);
+  camera.target_m = middle + turned(camera.target_m - middle);
+  camera.up = turned(camera.up);
+  return camera;
+}
+
 LookAt resolve_camera(const CameraDescription& description, const terrain::Heightfield& field) {
   LookAt camera;
   camera.width_px = description.width_px.value_or(camera.width_px);
@@ -180,6 +199,7 @@ LookAt resolve_camera(const CameraDescription& description, const terrain::Heigh
     camera.target_m = description.target_m.value();
     camera.up = description.up.value_or(camera.up);
   }
+  if (description.tilt_deg) camera = turned_for_tilt(camera, *description.tilt_deg, field);
   camera.near_m = description.near_m.value_or(camera.near_m);
   camera.far_m = description.far_m.value_or(camera.far_m);
   if (!(camera.far_m > camera.near_m))
@@ -200,6 +220,8 @@ PlacedCamera place_camera(const CameraDescription& description, const terrain::H
   }
   if (description.fov_y_deg)
     input_error("a field of view belongs to no engine's camera: its projection has one");
+  if (description.tilt_deg)
+    input_error("a tilt belongs to no engine's camera: its view matrix may have one");
   EngineCamera engine = *description.engine;
   engine.width_px = description.width_px.value_or(engine.width_px);
   engine.height_px = description.height_px.value_or(engine.height_px);

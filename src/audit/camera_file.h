@@ -24,6 +24,7 @@ struct CameraDescription {
   std::optional<int> height_px = std::nullopt;
   std::optional<double> near_m = std::nullopt;
   std::optional<double> far_m = std::nullopt;
+  std::optional<double> tilt_deg = std::nullopt;      // of the terrain: see turned_for_tilt
   std::optional<EngineCamera> engine = std::nullopt;  // its matrices, in place of all above but
                                                       // size, near and far
 
@@ -31,12 +32,12 @@ struct CameraDescription {
 };
 
 /// Reads a TOML file with the keys eye, target, up (each [x, y, z]), fov_y_deg, width, height,
-/// near, far; or preset = "NAME" in place of eye, target and up; or, as an engine has them, view
-/// and projection (each sixteen numbers) with layout = "column-major" | "row-major", vectors =
-/// "column" | "row", clip = "opengl" | "d3d" | "vulkan", reverse_z, world_axes = "x,y,z" (those
-/// that point east, north and up), metres_per_unit, origin = [x, y, z]. All but eye and target, or
-/// view and projection, may be left out. Throws InputError, one line with the file and the place in
-/// it, for anything else: an unknown key is an error that names the known ones.
+/// near, far, tilt_deg; or preset = "NAME" in place of eye, target and up; or, as an engine has
+/// them, view and projection (each sixteen numbers) with layout = "column-major" | "row-major",
+/// vectors = "column" | "row", clip = "opengl" | "d3d" | "vulkan", reverse_z, world_axes = "x,y,z"
+/// (those that point east, north and up), metres_per_unit, origin = [x, y, z]. All but eye and
+/// target, or view and projection, may be left out. Throws InputError, one line with the file and
+/// the place in it, for anything else: an unknown key is an error that names the known ones.
 CameraDescription read_camera_file(const std::string& path);
 
 /// The same from the text of such a file; `name` stands for it in messages.
@@ -51,8 +52,15 @@ std::optional<CameraDescription> parse_camera_numbers(const std::string& text);
 
 /// The camera that a description means for this terrain: what it leaves open has LookAt's values,
 /// or the preset's. Throws InputError for an unknown preset, and for values that are no camera (eye
-/// on target, a field of view outside (0, 180), a size outside 1..65536, near <= 0, far <= near).
+/// on target, a field of view outside (0, 180), a size outside 1..65536, near <= 0, far <= near, a
+/// tilt outside -180..180).
 LookAt resolve_camera(const CameraDescription& description, const terrain::Heightfield& field);
+
+/// The camera that sees the level terrain as `camera` would see it tilted by `tilt_deg` about the
+/// line from west to east through the middle of its box, the north side up: 0 lies, 90 stands like
+/// a wall. What is seen of a tilted displacement map is what the camera, turned the other way, sees
+/// of a terrain, so that every measure and bound means the same.
+LookAt turned_for_tilt(LookAt camera, double tilt_deg, const terrain::Heightfield& field);
 
 /// A camera, and every value of it as a camera file has it: reading that gives the same camera.
 struct PlacedCamera {

@@ -97,6 +97,10 @@ slicing::Parameters slicing_parameters(const MethodChoice& choice, bool hybrid) 
       choice, "renderer",
       {{"rays", slicing::SliceRenderer::Rays}, {"quads", slicing::SliceRenderer::Quads}});
   parameters.cut.borders = word_parameter<bool>(choice, "borders", {{"on", true}, {"off", false}});
+  slicing::BlendOptions& blend = parameters.blend;
+  blend.falloff_px = number_parameter(choice, "antialias", blend.falloff_px);
+  blend.fog_per_m = 1e-3 * number_parameter(choice, "fog", blend.fog_per_m);
+  blend.fog_height_m = number_parameter(choice, "fog_height", blend.fog_height_m);
   const auto profile = choice.parameters.find("profile");
   if (profile != choice.parameters.end()) parameters.cut.profile = parse_profile(profile->second);
   return parameters;
@@ -116,6 +120,10 @@ Method slicing_row(const std::string& name, const std::string& summary, bool hyb
        "how they are looked up: triangulated, bilinear, nearest, eight-bit or mip-mapped "
        "(triangulated)"},
       {"borders", "of published slices, a pixel wide: on or off (on)"},
+      {"antialias",
+       "pixels above the ground over which a slice's opacity falls to zero (it ends sharply)"},
+      {"fog", "light lost on a kilometre of fog at the terrain's lowest point, 1/km (none)"},
+      {"fog_height", "metres of height over which fog thins to 1/e (100)"},
       {"renderer", "rays, or quads through the rasteriser (rays)"},
       {"profile",
        "speeds for the cost model: a name, a .toml file or NAME,VERTICES_PER_S,"

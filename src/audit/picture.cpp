@@ -9,6 +9,7 @@
 #include "core/box.h"
 #include "core/check.h"
 #include "core/parallel.h"
+#include "raster/shading/blend.h"
 #include "raster/shading/shade.h"
 #include "reference/surface_height.h"
 
@@ -46,7 +47,12 @@ image::AovImage finish(const terrain::Heightfield& field, const HitImage& hits,
     const glm::dvec2 origin(field.world_origin_m());
     options.drape = {maker.drape, origin + glm::dvec2(box.low), origin + glm::dvec2(box.high)};
   }
-  const image::ColourImage colours = raster::shade(hits, camera, normals, options);
+  image::ColourImage colours = raster::shade(hits, camera, normals, options);
+  if (maker.layers != nullptr) {
+    colours =
+        raster::blend(colours, *maker.layers,
+                      layer_normals(*maker.layers, camera, field, maker.diagonal), camera, options);
+  }
   image::PixelAttributes attributes;
   attributes.normals = normals;
   attributes.ids = planes.ids;

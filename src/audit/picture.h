@@ -9,6 +9,7 @@
 #include "core/claim.h"
 #include "core/drawn_surface.h"
 #include "core/hit_image.h"
+#include "core/layers.h"
 #include "image/aov_image.h"
 #include "image/colour_image.h"
 #include "terrain/heightfield.h"
@@ -26,6 +27,8 @@ struct PictureMaker {
   std::string scene_toml;  // the scene that draws it again (scene.h); empty where there is none
   /// Laid over the whole terrain in place of the tint, its top side in the north; null: none.
   const image::ColourImage* drape = nullptr;
+  /// Blended over the hits in R G B alone; null: nothing is.
+  const Layers* layers = nullptr;
 };
 
 /// The picture of a surface that was drawn: R G B, Z, P, N, id, lod and, where fragments were

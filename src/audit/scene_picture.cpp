@@ -93,12 +93,14 @@ DrawnScene SceneDrawer::draw(const CameraDescription& camera, const StepListener
   step(by_rays ? "casting rays" : "drawing the surface");
   if (!painter_) prepare();
   Stopwatch watch;
+  Layers layers;
   if (by_rays) {
     drawn.hits = painter_->caster->cast_frame(drawn.camera);
   } else {
     drawn.surface = painter_->method->draw(drawn.camera, scene_.tolerance);
     SurfacePicture picture = picture_of(drawn.surface, drawn.camera);
     drawn.hits = std::move(picture.image);
+    layers = std::move(picture.layers);
     drawn.surface.cost.fragments = picture.fragments;
   }
   drawn.times.prepare_s = prepare_s_;
@@ -106,6 +108,7 @@ DrawnScene SceneDrawer::draw(const CameraDescription& camera, const StepListener
   step("making the picture");
   PictureMaker maker = maker_of(drawn.scene, diagonal_, program_version_);
   maker.drape = drape_.get();
+  if (!layers.empty()) maker.layers = &layers;
   drawn.picture = by_rays ? draw_truth_picture(*field_, drawn.hits, drawn.camera, maker)
                           : draw_picture(*field_, drawn.hits, drawn.surface, drawn.camera, maker);
   drawn.times.picture_s = watch.lap_s();

@@ -97,6 +97,7 @@ void write_camera(Writer& to, const CameraDescription& camera) {
   to.whole("height", camera.height_px);
   to.number("near", camera.near_m);
   to.number("far", camera.far_m);
+  to.number("tilt_deg", camera.tilt_deg);
   if (camera.engine) write_engine(to, *camera.engine);
 }
 

@@ -7,6 +7,18 @@
 #include "reference/surface_height.h"
 
 namespace plumb::audit {
+namespace {
+
+// Of the terrain above or below a point, which is relative to its origin.
+glm::dvec3 ground_normal(const terrain::Heightfield& field, terrain::Diagonal diagonal,
+                         const glm::dvec3& point_m) {
+  const std::uint32_t triangle =
+      reference::surface_at(field, diagonal, point_m.x, point_m.y).triangle;
+  return triangle != kNoPrimitive ? reference::triangle_normal(field, diagonal, triangle)
+                                  : glm::dvec3(0.0, 0.0, 1.0);
+}
+
+}  // namespace
 
 SurfacePicture picture_of(const DrawnSurface& surface, const Camera& camera) {
   require(surface.mesh != nullptr || surface.painter, "a drawn surface needs a mesh or a painter");
@@ -26,12 +38,19 @@ std::vector<glm::dvec3> shading_normals(const DrawnSurface& surface, const HitIm
   parallel_for(static_cast<std::int64_t>(drawn.size()), 4096, [&](std::int64_t k) {
     const auto pixel = static_cast<std::size_t>(k);
     if (!drawn.hit(pixel)) return;
-    const glm::dvec3 point = eye + drawn.from_eye_m[pixel];
-    const std::uint32_t triangle =
-        reference::surface_at(field, diagonal, point.x, point.y).triangle;
-    normals[pixel] = triangle != kNoPrimitive
-                         ? reference::triangle_normal(field, diagonal, triangle)
-                         : glm::dvec3(0.0, 0.0, 1.0);
+    normals[pixel] = ground_normal(field, diagonal, eye + drawn.from_eye_m[pixel]);
+  });
+  return normals;
+}
+
+std::vector<glm::dvec3> layer_normals(const Layers& layers, const Camera& camera,
+                                      const terrain::Heightfield& field,
+                                      terrain::Diagonal diagonal) {
+  std::vector<glm::dvec3> normals(layers.layers.size());
+  const glm::dvec3 eye = camera.eye_m - field.world_origin_m();
+  parallel_for(static_cast<std::int64_t>(normals.size()), 4096, [&](std::int64_t k) {
+    const auto at = static_cast<std::size_t>(k);
+    normals[at] = ground_normal(field, diagonal, eye + layers.layers[at].from_eye_m);
   });
   return normals;
 }

@@ -23,4 +23,9 @@ std::vector<glm::dvec3> shading_normals(const DrawnSurface& surface, const HitIm
                                         const Camera& camera, const terrain::Heightfield& field,
                                         terrain::Diagonal diagonal);
 
+/// The same for what is blended over such a picture: one a layer.
+std::vector<glm::dvec3> layer_normals(const Layers& layers, const Camera& camera,
+                                      const terrain::Heightfield& field,
+                                      terrain::Diagonal diagonal);
+
 }  // namespace plumb::audit

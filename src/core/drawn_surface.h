@@ -11,6 +11,7 @@
 #include "core/claim.h"
 #include "core/cost.h"
 #include "core/hit_image.h"
+#include "core/layers.h"
 #include "core/mesh_runs.h"
 #include "core/triangle_mesh.h"
 
@@ -20,6 +21,7 @@ namespace plumb {
 struct SurfacePicture {
   HitImage image;
   std::int64_t fragments = 0;  // that were tested, overdraw included
+  Layers layers = {};          // what is blended over the image's hits; colours alone show it
 };
 
 /// Draws a surface that is no mesh. `primitive` is the patch that each pixel shows.

@@ -1,40 +1,16 @@
 #include "slicing/ray_slicer.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <optional>
 
 #include "core/parallel.h"
+#include "slicing/branch_walk.h"
 #include "slicing/plane_run.h"
 
 namespace plumb::slicing {
 namespace {
 
 constexpr int kFewPlanes = 3;  // of which setting up lanes would cost more than it saves
-
-struct Interval {
-  double begin, end;
-  bool empty() const { return !(begin <= end); }
-};
-
-// Where the ray is inside the box, widened by more than the roundings of a difference and a
-// product.
-Interval inside(const SliceRay& ray, const Box& box, Interval all) {
-  constexpr double kWider = 1e-12;
-  for (int k = 0; k < 3; ++k) {
-    if (ray.direction[k] == 0.0) {
-      if (!(ray.eye_m[k] >= box.low[k] && ray.eye_m[k] <= box.high[k])) return {1.0, 0.0};
-      continue;
-    }
-    const double a = (box.low[k] - ray.eye_m[k]) * ray.inverse[k],
-                 b = (box.high[k] - ray.eye_m[k]) * ray.inverse[k];
-    const double first = std::min(a, b), last = std::max(a, b);
-    all.begin = std::max(all.begin, first - kWider * std::abs(first));
-    all.end = std::min(all.end, last + kWider * std::abs(last));
-  }
-  return all;
-}
 
 class RaySlicer {
  public:
@@ -47,25 +23,9 @@ class RaySlicer {
 
   SliceHit cast(const SliceRay& ray, std::int64_t& tested) const {
     SliceHit best;
-    if (cut_.branches.empty()) return best;
-    // A ray that runs west meets the eastern children first, one that runs south the northern ones.
-    const std::size_t east = ray.direction.x < 0.0 ? 1 : 0, north = ray.direction.y < 0.0 ? 2 : 0;
-    std::array<std::uint32_t, 3 * 16 + 1> stack;
-    std::size_t count = 0;
-    stack[count++] = static_cast<std::uint32_t>(cut_.branches.size()) - 1;
-    while (count > 0) {
-      const SliceBranch& branch = cut_.branches[stack[--count]];
-      const Interval part = inside(ray, branch.reach, all_);
-      if (part.empty() || part.begin > best.t) continue;
-      if (branch.bundle != kNoPrimitive) {
-        meet_bundle(branch.bundle, ray, part, best, tested);
-        continue;
-      }
-      for (std::size_t k = 4; k-- > 0;) {
-        const std::uint32_t below = branch.below[k ^ east ^ north];
-        if (below != kNoPrimitive) stack[count++] = below;
-      }
-    }
+    walk_bundles(cut_, ray, all_, best.t, [&](std::uint32_t bundle, const Interval& part) {
+      meet_bundle(bundle, ray, part, best, tested);
+    });
     return best;
   }
 
@@ -74,17 +34,8 @@ class RaySlicer {
                    std::int64_t& tested) const {
     const SliceBundle& bundle = cut_.bundles[number];
     if (bundle.closed) meet_closing_quads(number, ray, best, tested);
-    const int n = index_of(bundle.axis);
-    const double step = ray.direction[n];
-    if (step == 0.0) return;  // along the planes
-    // The planes between the ends of the part, and one more at each end for the roundings.
-    const double from = ray.eye_m[n] + part.begin * step, to = ray.eye_m[n] + part.end * step;
-    const auto plane_near = [&](double at) {
-      const double j = bundle.spacing_m > 0.0 ? (at - bundle.first_m) / bundle.spacing_m : 0.0;
-      return static_cast<int>(std::clamp(std::floor(j), -1.0, static_cast<double>(bundle.count)));
-    };
-    const int low = std::max(0, plane_near(std::min(from, to)) - 1),
-              high = std::min(bundle.count - 1, plane_near(std::max(from, to)) + 1);
+    const auto [low, high] = planes_within(bundle, ray, part);
+    const double step = ray.direction[index_of(bundle.axis)];
     if (run_heights_ && high - low >= kFewPlanes) {
       meet_run(number, ray, step > 0.0 ? low : high, step > 0.0 ? 1.0 : -1.0, high - low + 1, best,
                tested);
@@ -128,12 +79,9 @@ class RaySlicer {
 
   void meet_closing_quads(std::uint32_t number, const SliceRay& ray, SliceHit& best,
                           std::int64_t& tested) const {
-    const Box& box = cut_.bundles[number].reach;
-    meet_quad(number, QuadKind::Closing, Axis::X, box.low.x, ray, best, tested);
-    meet_quad(number, QuadKind::Closing, Axis::X, box.high.x, ray, best, tested);
-    meet_quad(number, QuadKind::Closing, Axis::Y, box.low.y, ray, best, tested);
-    meet_quad(number, QuadKind::Closing, Axis::Y, box.high.y, ray, best, tested);
-    meet_quad(number, QuadKind::Closing, Axis::Z, box.low.z, ray, best, tested);
+    for_each_closing_quad(cut_.bundles[number], [&](Axis axis, double at_m) {
+      meet_quad(number, QuadKind::Closing, axis, at_m, ray, best, tested);
+    });
   }
 
   // True if no plane behind this one can be nearer than the best.

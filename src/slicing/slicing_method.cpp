@@ -66,6 +66,16 @@ Cost cost_of(const SlicingTree& tree, const SlicingCut& cut, const NodeMesh& pol
   return cost;
 }
 
+Layers blended(const Prepared& prepared, const SlicingCut& cut, const Camera& eye,
+               const HitImage& hits) {
+  const terrain::Heightfield& field = prepared.tree->field();
+  BlendOptions options = prepared.parameters.blend;
+  const Box box = terrain::bounds(field);
+  if (!box.empty()) options.fog_base_m = box.low.z;
+  return blend_slices(cut, relative_to(eye, field.world_origin_m()), *prepared.heights, hits,
+                      options);
+}
+
 }  // namespace
 
 Prepared prepare(const terrain::Heightfield& field, terrain::Diagonal diagonal,
@@ -109,7 +119,10 @@ DrawnSurface draw(const Prepared& prepared, const Camera& camera, const Toleranc
     for (std::uint32_t& primitive : frame.image.primitive) {
       if (primitive != kNoPrimitive) primitive = patch[primitive];
     }
-    return SurfacePicture{std::move(frame.image), frame.slice_fragments + frame.polygon_fragments};
+    SurfacePicture picture{std::move(frame.image), frame.slice_fragments + frame.polygon_fragments};
+    if (prepared.parameters.blend.blends())
+      picture.layers = blended(prepared, *cut, eye, picture.image);
+    return picture;
   };
   return surface;
 }

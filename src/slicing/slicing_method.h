@@ -5,6 +5,7 @@
 
 #include "core/camera.h"
 #include "core/drawn_surface.h"
+#include "slicing/blended_rays.h"
 #include "slicing/height_lookup.h"
 #include "slicing/hybrid_frame.h"
 #include "slicing/slicing_cut.h"
@@ -22,6 +23,7 @@ struct Parameters {
   CutOptions cut;  // its tolerance is the one that is drawn with
   Interpolation heights = Interpolation::Triangulated;
   SliceRenderer renderer = SliceRenderer::Rays;
+  BlendOptions blend;  // its fog_base_m is the terrain's lowest sample
 };
 
 /// What does not depend on the view. Keeps a reference to the terrain.

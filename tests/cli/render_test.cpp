@@ -69,6 +69,23 @@ TEST(RenderCommand, LaysAPictureOverTheGround) {
   EXPECT_FALSE(std::filesystem::exists(folder.file("none.png")));
 }
 
+TEST(RenderCommand, BlendsSlicesInColourAlone) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> sharp{"--size", "64x36", "--method", "slicing", "--tilt", "40"};
+  std::vector<std::string> soft = sharp;
+  for (const char* more : {"--set", "antialias=2", "--set", "fog=5", "--set", "fog_height=50"})
+    soft.emplace_back(more);
+  const json first = summary(render(folder.file("sharp"), sharp));
+  const json second = summary(render(folder.file("soft"), soft));
+  EXPECT_EQ(first.at("counters"), second.at("counters"));
+  EXPECT_NE(first.at("picture"), second.at("picture"));
+  const json again = summary(render(folder.file("again.exr"), {}, folder.file("soft/scene.toml")));
+  EXPECT_EQ(again.at("picture"), second.at("picture"));
+  const CommandResult refused =
+      run_plumb(render(folder.file("no.png"), {"--method", "slicing", "--set", "antialias=-1"}));
+  EXPECT_EQ(refused.status, 2);
+}
+
 TEST(TruthCommand, WritesToStandardOutputWhatItWritesToAFile) {
   const TemporaryFolder folder;
   const std::vector<std::string> cast{"truth", kTerrain, "--size", "64x36", "-o"};

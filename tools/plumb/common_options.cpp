@@ -80,6 +80,8 @@ void add_camera_options(Options& options, CameraOptions& camera) {
                    "ex,ey,ez,tx,ty,tz[,fov] (oblique)");
   options.text(camera.size, "--size", "WxH", "Size of the image in pixels (1920x1080)");
   options.number(camera.fov_y_deg, "--fov", "DEG", "Vertical field of view (50)");
+  options.number(camera.tilt_deg, "--tilt", "DEG",
+                 "Tilt the terrain, its north side up, as a displacement map (0; 90 stands)");
   options.integer(camera.frame, "--frame", "K", "This camera of a path alone, from 1", 1, 100000);
 }
 
@@ -110,6 +112,7 @@ std::vector<audit::CameraDescription> camera_frames(const CameraOptions& options
       camera.height_px = size.height_px;
     }
     if (options.fov_y_deg) camera.fov_y_deg = options.fov_y_deg;
+    if (options.tilt_deg) camera.tilt_deg = options.tilt_deg;
   }
   return frames;
 }

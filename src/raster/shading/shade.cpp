@@ -133,6 +133,12 @@ std::vector<glm::dvec3> flat_normals(const TriangleMesh& mesh, const HitImage& h
   return normals;
 }
 
+glm::dvec3 surface_colour(const Camera& camera, const glm::dvec3& from_eye_m,
+                          const glm::dvec3& normal, double depth_m, const ShadeOptions& options) {
+  const Shader shader{camera, options, unit_or_zero(options.light.towards)};
+  return shader.surface(from_eye_m, normal, depth_m);
+}
+
 image::ColourImage shade(const HitImage& hits, const Camera& camera,
                          std::span<const glm::dvec3> normals, const ShadeOptions& options) {
   require_usable(hits, camera, normals, options);

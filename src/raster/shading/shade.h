@@ -59,6 +59,12 @@ glm::dvec3 sky_colour(const Sky& sky, const glm::dvec3& direction);
 /// if a hit names a triangle that the mesh does not have.
 std::vector<glm::dvec3> flat_normals(const TriangleMesh& mesh, const HitImage& hits);
 
+/// Linear colour of one point of the surface, haze included.
+///
+/// normal  unit; the same for both sides where options.two_sided
+glm::dvec3 surface_colour(const Camera& camera, const glm::dvec3& from_eye_m,
+                          const glm::dvec3& normal, double depth_m, const ShadeOptions& options);
+
 /// The picture in linear light.
 ///
 /// normals  one a pixel, unit; either side of the surface is lit alike where it has two

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "core/check.h"
+#include "core/reproducible_math.h"
 #include "support/run_command.h"
 #include "terrain/camera_presets.h"
 
@@ -92,7 +94,7 @@ TEST(CameraFile, MayNameAPreset) {
 TEST(CameraFile, NamesTheKnownKeysForAnUnknownOne) {
   EXPECT_EQ(error_of("eye = [0,0,1]\ntarget = [1,1,1]\nfov = 40"),
             "c.toml, line 3: fov: unknown key; a camera has eye, target, up, fov_y_deg, width, "
-            "height, near, far, view, projection, layout, vectors, clip, reverse_z, world_axes, "
+            "height, near, far, tilt_deg, view, projection, layout, vectors, clip, reverse_z, world_axes, "
             "metres_per_unit, origin, preset");
 }
 
@@ -141,6 +143,33 @@ TEST(CameraNumbers, AreRefusedIfTheyAreNot) {
             "camera '1,2,3,4,5,6,': expected six or seven numbers, ex,ey,ez,tx,ty,tz[,fov]");
   EXPECT_EQ(numbers_error("1,2,3,4,5,x"), "camera '1,2,3,4,5,x': 'x' is not a finite number");
   EXPECT_EQ(numbers_error("1,2,3,4,5,nan"), "camera '1,2,3,4,5,nan': 'nan' is not a finite number");
+}
+
+// A point of the tilted hill, where the camera that was asked for sees it, is the point of the
+// level hill where the turned camera sees that. Roundings of coordinates of some hundred metres.
+TEST(ResolveCamera, TurnsForATiltedTerrain) {
+  const terrain::Heightfield field = hill();
+  const LookAt asked = resolve_camera(
+      parse_camera_toml("eye = [160, -300, 200]\ntarget = [160, 160, 25]\n", "c"), field);
+  const glm::dvec3 middle{160.0, 160.0, 25.0};  // of the hill's box
+  for (const double tilt_deg : {0.0, 30.0, 90.0, -45.0}) {
+    const LookAt turned = turned_for_tilt(asked, tilt_deg, field);
+    const double c = std::cos(radians(tilt_deg)), s = std::sin(radians(tilt_deg));
+    for (const glm::dvec3& p : {glm::dvec3(0, 0, 10), glm::dvec3(160, 160, 40),
+                                glm::dvec3(320, 320, 10), glm::dvec3(320, 40, 10)}) {
+      const glm::dvec3 d = p - middle;
+      const glm::dvec3 tilted = middle + glm::dvec3(d.x, c * d.y - s * d.z, s * d.y + c * d.z);
+      const Camera before = make_camera(asked), after = make_camera(turned);
+      const glm::dvec2 expected = view_to_pixel(before, to_view(before, tilted));
+      const glm::dvec2 found = view_to_pixel(after, to_view(after, p));
+      EXPECT_NEAR(found.x, expected.x, 1e-9);
+      EXPECT_NEAR(found.y, expected.y, 1e-9);
+    }
+  }
+  // North goes up.
+  EXPECT_LT(turned_for_tilt(asked, 90.0, field).up.z, 1e-15);
+  EXPECT_GT(turned_for_tilt(asked, 90.0, field).up.y, 0.99);
+  EXPECT_THROW(turned_for_tilt(asked, 181.0, field), InputError);
 }
 
 TEST(ResolveCamera, RefusesWhatIsNoCamera) {

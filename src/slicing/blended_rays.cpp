@@ -1,0 +1,151 @@
+#include "slicing/blended_rays.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/check.h"
+#include "core/parallel.h"
+#include "core/reproducible_math.h"
+#include "slicing/branch_walk.h"
+
+namespace plumb::slicing {
+namespace {
+
+// (1 - e^-x) / x, 1 at 0.
+double mean_of_decay(double x) {
+  if (std::abs(x) < 1e-5) return 1.0 - 0.5 * x;  // off by x^2 / 6
+  return (1.0 - reproducible_exp(-x)) / x;
+}
+
+struct SoftFragment {
+  double t;
+  std::uint32_t bundle;
+  double opacity;  // in (0, 1)
+
+  bool in_place_of(const SoftFragment& other) const {
+    return t == other.t && bundle == other.bundle;
+  }
+  bool operator<(const SoftFragment& other) const {
+    if (t != other.t) return t < other.t;
+    return bundle != other.bundle ? bundle < other.bundle : opacity > other.opacity;
+  }
+};
+
+// The fragments of one ray that let light through.
+class SoftSlices {
+ public:
+  SoftSlices(const SlicingCut& cut, const HeightLookup& heights, const Camera& camera,
+             double falloff_px)
+      : cut_(cut),
+        heights_(heights),
+        near_t_(camera.near_m),
+        falloff_per_t_(falloff_px / camera.gamma_v) {}
+
+  /// Those before `last_t`, front to back.
+  void find(const SliceRay& ray, double last_t, std::vector<SoftFragment>& found) const {
+    found.clear();
+    walk_bundles(
+        cut_, ray, {near_t_, last_t}, last_t, [&](std::uint32_t number, const Interval& part) {
+          const SliceBundle& bundle = cut_.bundles[number];
+          const auto meet = [&](QuadKind kind, Axis axis, double at_m) {
+            meet_quad(number, kind, axis, at_m, ray, last_t, found);
+          };
+          if (bundle.closed)
+            for_each_closing_quad(
+                bundle, [&](Axis axis, double at_m) { meet(QuadKind::Closing, axis, at_m); });
+          const auto [low, high] = planes_within(bundle, ray, part);
+          for (int j = low; j <= high; ++j) meet(QuadKind::Slice, bundle.axis, bundle.plane_m(j));
+        });
+    std::sort(found.begin(), found.end());
+    // Where a slice lies in a closing quad, the two are one.
+    const auto end =
+        std::unique(found.begin(), found.end(),
+                    [](const SoftFragment& a, const SoftFragment& b) { return b.in_place_of(a); });
+    found.erase(end, found.end());
+  }
+
+ private:
+  void meet_quad(std::uint32_t number, QuadKind kind, Axis axis, double at_m, const SliceRay& ray,
+                 double last_t, std::vector<SoftFragment>& found) const {
+    const SliceBundle& bundle = cut_.bundles[number];
+    if (ray.direction[index_of(axis)] == 0.0) return;
+    const PlanePoint met = meet_plane(ray, axis, at_m);
+    if (!(met.t >= near_t_ && met.t < last_t) || !is_on_quad(bundle, axis, met.point_m)) return;
+    const FragmentHeight height = fragment_height(bundle, kind, axis, heights_, ray, met);
+    const double above_m = height.tested_m - height.terrain_m;  // NaN over voids
+    const double opacity = 1.0 - above_m / (falloff_per_t_ * met.t);
+    if (opacity > 0.0 && opacity < 1.0) found.push_back({met.t, number, opacity});
+  }
+
+  const SlicingCut& cut_;
+  const HeightLookup& heights_;
+  double near_t_, falloff_per_t_;
+};
+
+struct RowLayers {
+  std::vector<Layer> layers;
+  std::vector<std::uint64_t> counts;  // a pixel each
+};
+
+void require_usable(const BlendOptions& options) {
+  require(options.falloff_px >= 0.0 && std::isfinite(options.falloff_px),
+          "falloff_px must be >= 0, got {}", options.falloff_px);
+  require(options.fog_per_m >= 0.0 && std::isfinite(options.fog_per_m),
+          "fog_per_m must be >= 0, got {}", options.fog_per_m);
+  require(options.fog_height_m > 0.0 && std::isfinite(options.fog_height_m),
+          "fog_height_m must be > 0, got {}", options.fog_height_m);
+}
+
+}  // namespace
+
+double fog_transmittance(const BlendOptions& options, const glm::dvec3& eye_m,
+                         const glm::dvec3& direction, double t) {
+  if (options.fog_per_m == 0.0) return 1.0;
+  const double at_eye = options.fog_per_m *
+                        reproducible_exp((options.fog_base_m - eye_m.z) / options.fog_height_m) *
+                        std::sqrt(glm::dot(direction, direction));
+  const double fall = direction.z / options.fog_height_m;  // of the density's logarithm along t
+  if (std::isinf(t)) return fall > 0.0 ? reproducible_exp(-at_eye / fall) : 0.0;
+  return reproducible_exp(-at_eye * t * mean_of_decay(fall * t));
+}
+
+Layers blend_slices(const SlicingCut& cut, const Camera& camera, const HeightLookup& heights,
+                    const HitImage& hits, const BlendOptions& options) {
+  require_usable(options);
+  const SoftSlices soft(cut, heights, camera, options.falloff_px);
+  Layers result;
+  result.fog = options.fog;
+  result.behind.resize(hits.size());
+  std::vector<RowLayers> rows(static_cast<std::size_t>(hits.height_px));
+  parallel_for(hits.height_px, 4, [&](std::int64_t row) {
+    RowLayers& of_row = rows[static_cast<std::size_t>(row)];
+    std::vector<SoftFragment> fragments;
+    for (int x = 0; x < hits.width_px; ++x) {
+      const std::size_t pixel = hits.index(x, static_cast<int>(row));
+      const SliceRay ray(camera, x, static_cast<int>(row));
+      const double last_t = std::min(hits.depth_m[pixel], camera.far_m);
+      if (options.falloff_px > 0.0) soft.find(ray, last_t, fragments);
+      double left = 1.0;
+      for (const SoftFragment& f : fragments) {
+        const double seen = fog_transmittance(options, ray.eye_m, ray.direction, f.t);
+        of_row.layers.push_back({f.t * ray.direction, static_cast<float>(left * f.opacity * seen)});
+        left *= 1.0 - f.opacity;
+      }
+      of_row.counts.push_back(fragments.size());
+      result.behind[pixel] = static_cast<float>(
+          left * fog_transmittance(options, ray.eye_m, ray.direction, hits.depth_m[pixel]));
+    }
+  });
+  result.first.push_back(0);
+  for (const RowLayers& row : rows) {
+    for (const std::uint64_t count : row.counts)
+      result.first.push_back(result.first.back() + count);
+    result.layers.insert(result.layers.end(), row.layers.begin(), row.layers.end());
+  }
+  return result;
+}
+
+}  // namespace plumb::slicing
