@@ -15,6 +15,7 @@
 #include "core/parallel.h"
 #include "core/reproducible_math.h"
 #include "progress.h"
+#include "report/scatter_chart.h"
 #include "slicing/profile_measure.h"
 #include "terrain/camera_presets.h"
 #include "text_table.h"
@@ -25,7 +26,7 @@ namespace {
 
 struct ProfileOptions {
   TerrainOptions terrain;
-  std::string size = "640x360", name = "measured", output, table;
+  std::string size = "640x360", name = "measured", output, table, chart;
   int views = 0, threads = 0;
   bool json = false;
 };
@@ -80,6 +81,22 @@ std::string table_of(const std::vector<slicing::ModelledFrame>& frames) {
   return text;
 }
 
+report::ScatterChart chart_of(const ProfileOptions& options, const Measured& measured) {
+  report::ScatterChart chart;
+  chart.title = fmt::format("How well the cost model foretells {} views", options.views);
+  chart.x_label = "measured, s";
+  chart.y_label = fmt::format("predicted by the profile {}, s", options.name);
+  chart.diagonal = true;
+  for (std::size_t k = 0; k < measured.frames.size(); ++k) {
+    const slicing::ModelledFrame& frame = measured.frames[k];
+    if (!(frame.predicted_s > 0.0 && frame.measured_s > 0.0)) continue;  // sees nothing
+    chart.points.push_back({frame.measured_s, frame.predicted_s,
+                            fmt::format("view {}: {:.4g} s measured, {:.4g} s predicted", k,
+                                        frame.measured_s, frame.predicted_s)});
+  }
+  return chart;
+}
+
 std::vector<std::string> write_files(const ProfileOptions& options, const Measured& measured) {
   std::vector<std::string> files;
   if (!options.output.empty()) {
@@ -97,6 +114,10 @@ std::vector<std::string> write_files(const ProfileOptions& options, const Measur
   if (!options.table.empty()) {
     write_file_atomically(options.table, table_of(measured.frames));
     files.push_back(options.table);
+  }
+  if (!options.chart.empty()) {
+    write_file_atomically(options.chart, report::to_svg(chart_of(options, measured)));
+    files.push_back(options.chart);
   }
   return files;
 }
@@ -141,6 +162,8 @@ int run_profile(const ProfileOptions& options) {
   const ThreadLimit limit(options.threads);
   if (!options.table.empty() && options.views == 0)
     input_error("--table '{}': a table needs --views", options.table);
+  if (!options.chart.empty() && options.views == 0)
+    input_error("--chart '{}': a chart needs --views", options.chart);
   if (options.name.empty() || options.name.find(',') != std::string::npos)
     input_error("--name '{}': expected a name without a comma", options.name);
   Progress progress;
@@ -177,6 +200,8 @@ Command profile_command() {
     add_output_option(options, values->output, "Write the profile, a .toml file");
     options.text(values->table, "--table", "CSV",
                  "Write predicted and measured seconds of each view");
+    options.text(values->chart, "--chart", "SVG",
+                 "Draw predicted over measured seconds of each view");
     add_json_option(options, values->json);
     add_threads_option(options, values->threads);
     return [values](const Invocation&) { return run_profile(*values); };

@@ -94,7 +94,8 @@ TEST(CameraFile, MayNameAPreset) {
 TEST(CameraFile, NamesTheKnownKeysForAnUnknownOne) {
   EXPECT_EQ(error_of("eye = [0,0,1]\ntarget = [1,1,1]\nfov = 40"),
             "c.toml, line 3: fov: unknown key; a camera has eye, target, up, fov_y_deg, width, "
-            "height, near, far, tilt_deg, view, projection, layout, vectors, clip, reverse_z, world_axes, "
+            "height, near, far, tilt_deg, view, projection, layout, vectors, clip, reverse_z, "
+            "world_axes, "
             "metres_per_unit, origin, preset");
 }
 
