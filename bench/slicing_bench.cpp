@@ -97,6 +97,34 @@ void table(const slicing::SlicingTree& tree, Variant variant, int views) {
   }
 }
 
+// How far the greedy descent is from the optimum, as its factor c changes.
+void descent(const slicing::SlicingTree& tree, int views) {
+  std::printf("\ngreedy cost / optimal cost, 800 x 600, mean and worst of %d views\n", views);
+  std::printf("      variant");
+  const double factors[] = {0.5, 0.6, 0.7, 0.8, 0.9, 1.0};
+  for (const double c : factors) std::printf("      c = %.1f    ", c);
+  for (const Variant variant : {Variant::Published, Variant::Conservative}) {
+    std::printf("\n%13s", variant == Variant::Published ? "published" : "conservative");
+    for (const double c : factors) {
+      double sum = 0.0, worst = 0.0;
+      for (int frame = 0; frame < views; ++frame) {
+        const Camera camera = relative_to(flight(tree.field(), frame, views, 800, 600),
+                                          tree.field().world_origin_m());
+        CutOptions options;
+        options.variant = variant;
+        options.descend_factor = c;
+        const double ratio =
+            cut_tree(tree, camera, options).cost_s / optimal_cut(tree, camera, options).cost_s;
+        sum += ratio;
+        worst = std::max(worst, ratio);
+      }
+      std::printf("   %6.4f %6.3f", sum / views, worst);
+    }
+  }
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
 template <class Work>
 double least_s(const Work& work) {
   double least = 1e9;
@@ -155,6 +183,7 @@ int main(int argc, char** argv) {
                                          plumb::terrain::Diagonal::Alternating);
   plumb::bench::table(tree, plumb::slicing::Variant::Published, views);
   plumb::bench::table(tree, plumb::slicing::Variant::Conservative, views);
+  plumb::bench::descent(tree, views);
   plumb::bench::beside_the_caster(tree);
   return 0;
 }
