@@ -1,3 +1,5 @@
+#include <span>
+
 #include "slicing/slicing_method.h"
 
 #include "scene.h"
@@ -20,6 +22,11 @@ std::uint64_t frames(const slicing::Parameters& parameters) {
     const SurfacePicture picture = surface.painter(camera);
     sum.add(picture.fragments);
     add(sum, picture.image);
+    sum.add(std::span<const float>(picture.layers.behind));
+    for (const Layer& layer : picture.layers.layers) {
+      sum.add(layer.weight);
+      for (int k = 0; k < 3; ++k) sum.add(layer.from_eye_m[k]);
+    }
   }
   return sum.value();
 }
@@ -42,11 +49,19 @@ std::uint64_t looked_up(slicing::Interpolation heights) {
   return frames(parameters);
 }
 
+std::uint64_t blended() {
+  slicing::Parameters parameters;
+  parameters.blend.falloff_px = 2.0;
+  parameters.blend.fog_per_m = 1e-3;
+  return frames(parameters);
+}
+
 }  // namespace
 
 std::vector<Stage> slicing_stages() {
   return {{"slicing.conservative", conservative},
           {"slicing.published", published},
+          {"slicing.blended", blended},
           {"slicing.eight_bit", [] { return looked_up(slicing::Interpolation::EightBit); }},
           {"slicing.mip_mapped", [] { return looked_up(slicing::Interpolation::MipMapped); }}};
 }

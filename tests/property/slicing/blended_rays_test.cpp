@@ -10,6 +10,7 @@
 
 #include "core/parallel.h"
 #include "slicing/ray_slicer.h"
+#include "support/every_quad.h"
 #include "support/random_slices.h"
 
 namespace plumb::slicing {
@@ -30,26 +31,16 @@ std::vector<Seen> by_trying_all(const SlicingCut& cut, const HeightLookup& heigh
                                 const SliceRay& ray, const Camera& camera, double falloff_px,
                                 double last_t) {
   std::vector<Seen> seen;
-  for (std::uint32_t number = 0; number < cut.bundles.size(); ++number) {
-    const SliceBundle& bundle = cut.bundles[number];
-    const auto quad = [&](QuadKind kind, Axis axis, double at_m) {
-      if (ray.direction[index_of(axis)] == 0.0) return;
-      const PlanePoint met = meet_plane(ray, axis, at_m);
-      if (!(met.t >= camera.near_m && met.t < last_t) || !is_on_quad(bundle, axis, met.point_m))
-        return;
-      const FragmentHeight height = fragment_height(bundle, kind, axis, heights, ray, met);
-      const double opacity =
-          1.0 - (height.tested_m - height.terrain_m) / (falloff_px / camera.gamma_v * met.t);
-      if (opacity > 0.0 && opacity < 1.0) seen.push_back({met.t, number, opacity});
-    };
-    for (int j = 0; j < bundle.count; ++j) quad(QuadKind::Slice, bundle.axis, bundle.plane_m(j));
-    if (!bundle.closed) continue;
-    quad(QuadKind::Closing, Axis::X, bundle.reach.low.x);
-    quad(QuadKind::Closing, Axis::X, bundle.reach.high.x);
-    quad(QuadKind::Closing, Axis::Y, bundle.reach.low.y);
-    quad(QuadKind::Closing, Axis::Y, bundle.reach.high.y);
-    quad(QuadKind::Closing, Axis::Z, bundle.reach.low.z);
-  }
+  test_support::for_each_quad_met(
+      cut, ray, camera.near_m,
+      [&](std::uint32_t number, QuadKind kind, Axis axis, const PlanePoint& met) {
+        if (met.t >= last_t) return;
+        const FragmentHeight height =
+            fragment_height(cut.bundles[number], kind, axis, heights, ray, met);
+        const double opacity =
+            1.0 - (height.tested_m - height.terrain_m) / (falloff_px / camera.gamma_v * met.t);
+        if (opacity > 0.0 && opacity < 1.0) seen.push_back({met.t, number, opacity});
+      });
   std::stable_sort(seen.begin(), seen.end(), [](const Seen& a, const Seen& b) {
     return a.t < b.t || (a.t == b.t && a.bundle < b.bundle);
   });

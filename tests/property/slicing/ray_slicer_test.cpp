@@ -13,6 +13,7 @@
 #include "reference/pyramid_caster.h"
 #include "reference/surface_height.h"
 #include "slicing/hybrid_frame.h"
+#include "support/every_quad.h"
 #include "support/random_slices.h"
 
 namespace plumb::slicing {
@@ -26,23 +27,11 @@ using test_support::Random;
 SliceHit by_trying_all(const SlicingCut& cut, const HeightLookup& heights, const SliceRay& ray,
                        double near_m) {
   SliceHit best;
-  for (std::uint32_t number = 0; number < cut.bundles.size(); ++number) {
-    const SliceBundle& bundle = cut.bundles[number];
-    const auto quad = [&](QuadKind kind, Axis axis, double at_m) {
-      if (ray.direction[index_of(axis)] == 0.0) return;
-      const PlanePoint met = meet_plane(ray, axis, at_m);
-      if (!(met.t >= near_m) || !is_on_quad(bundle, axis, met.point_m)) return;
-      if (passes(bundle, kind, axis, heights, ray, met))
-        best = std::min(best, SliceHit{met.t, number});
-    };
-    for (int j = 0; j < bundle.count; ++j) quad(QuadKind::Slice, bundle.axis, bundle.plane_m(j));
-    if (!bundle.closed) continue;
-    quad(QuadKind::Closing, Axis::X, bundle.reach.low.x);
-    quad(QuadKind::Closing, Axis::X, bundle.reach.high.x);
-    quad(QuadKind::Closing, Axis::Y, bundle.reach.low.y);
-    quad(QuadKind::Closing, Axis::Y, bundle.reach.high.y);
-    quad(QuadKind::Closing, Axis::Z, bundle.reach.low.z);
-  }
+  test_support::for_each_quad_met(
+      cut, ray, near_m, [&](std::uint32_t number, QuadKind kind, Axis axis, const PlanePoint& met) {
+        if (passes(cut.bundles[number], kind, axis, heights, ray, met))
+          best = std::min(best, SliceHit{met.t, number});
+      });
   return best;
 }
 
