@@ -32,7 +32,8 @@ Axis axis_of(const std::vector<double>& values, double begin, double end) {
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   const double ten = reproducible_log(10.0);
   axis.low = static_cast<int>(std::floor(reproducible_log(*least) / ten + 1e-9));
-  axis.high = std::max(axis.low + 1, static_cast<int>(std::ceil(reproducible_log(*most) / ten - 1e-9)));
+  axis.high =
+      std::max(axis.low + 1, static_cast<int>(std::ceil(reproducible_log(*most) / ten - 1e-9)));
   return axis;
 }
 
