@@ -74,28 +74,26 @@ std::optional<Offender> OffenderFinder::at_sample(const std::string& what, const
   return o;
 }
 
-Offender OffenderFinder::at_pixel(std::string what, double value, Unit unit,
-                                  std::size_t pixel) const {
-  const HitImage& drawn = result_.drawn;
-  const glm::dvec3 local =
-      camera_.eye_m - truth_.field().world_origin_m() + drawn.from_eye_m[pixel];
-  Offender o = at_place(std::move(what), value, unit, local, drawn.primitive[pixel]);
-  const glm::ivec2 seen_at = pixel_of(pixel, drawn);
+Offender OffenderFinder::at_hit(std::string what, double value, Unit unit, const HitImage& hits,
+                                std::uint32_t triangle, std::size_t pixel) const {
+  const glm::dvec3 local = camera_.eye_m - truth_.field().world_origin_m() + hits.from_eye_m[pixel];
+  Offender o = at_place(std::move(what), value, unit, local, triangle);
+  const glm::ivec2 seen_at = pixel_of(pixel, hits);
   o.x = seen_at.x;
   o.y = seen_at.y;
   return o;
 }
 
+Offender OffenderFinder::at_pixel(std::string what, double value, Unit unit,
+                                  std::size_t pixel) const {
+  const HitImage& drawn = result_.drawn;
+  return at_hit(std::move(what), value, unit, drawn, drawn.primitive[pixel], pixel);
+}
+
 Offender OffenderFinder::at_true_pixel(std::string what, double value, Unit unit,
                                        std::size_t pixel) const {
-  const HitImage& seen = result_.true_hits;
-  const glm::dvec3 local = camera_.eye_m - truth_.field().world_origin_m() + seen.from_eye_m[pixel];
-  Offender o =
-      at_place(std::move(what), value, unit, local, result_.reverse_pixels.triangle[pixel]);
-  const glm::ivec2 seen_at = pixel_of(pixel, seen);
-  o.x = seen_at.x;
-  o.y = seen_at.y;
-  return o;
+  return at_hit(std::move(what), value, unit, result_.true_hits,
+                result_.reverse_pixels.triangle[pixel], pixel);
 }
 
 Offender OffenderFinder::at_defect(const CoverageDefect& defect) const {

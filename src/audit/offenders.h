@@ -46,6 +46,8 @@ class OffenderFinder {
   std::vector<Offender> worst(const std::vector<ClaimResult>& claims, std::size_t most) const;
 
  private:
+  Offender at_hit(std::string what, double value, Unit unit, const HitImage& hits,
+                  std::uint32_t triangle, std::size_t pixel) const;
   void set_patch(Offender& o, int patch) const;
   double height_over(const SampleFlaw& flaw) const;
 

@@ -116,20 +116,18 @@ class TileKernel {
     double depth_m = depth_of(shares);
     if (depth_m > geometry_.projection.camera.far_m) return 0;
     const std::size_t pixel = image_.index(x, y);
-    glm::dvec3 point_m{0.0};
-    if constexpr (!kKeepsAll) {
+    if constexpr (kKeepsAll) {
+      if (!is_nearest(pixel, depth_m)) return 1;
+      if (primitive.weights != nullptr)
+        image_.from_eye_m[pixel] = point_at(primitive, shares * depth_m);
+    } else {
       Fragment fragment{x, y, primitive.triangle, depth_m, point_at(primitive, shares * depth_m)};
       if (!keep_(fragment)) return 0;
       depth_m = fragment.depth_m;
-      point_m = fragment.from_eye_m;
+      if (!is_nearest(pixel, depth_m)) return 1;
+      image_.from_eye_m[pixel] = fragment.from_eye_m;
     }
-    if (is_nearest(pixel, depth_m)) {
-      if constexpr (kKeepsAll) {
-        if (primitive.weights != nullptr) point_m = point_at(primitive, shares * depth_m);
-      }
-      if (!kKeepsAll || primitive.weights != nullptr) image_.from_eye_m[pixel] = point_m;
-      show(pixel, depth_m, primitive.triangle);
-    }
+    show(pixel, depth_m, primitive.triangle);
     return 1;
   }
 

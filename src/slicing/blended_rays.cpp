@@ -20,6 +20,30 @@ double mean_of_decay(double x) {
   return (1.0 - reproducible_exp(-x)) / x;
 }
 
+// Fog on one ray.
+class FogAlongRay {
+ public:
+  FogAlongRay(const BlendOptions& options, const glm::dvec3& eye_m, const glm::dvec3& direction)
+      : is_there_(options.fog_per_m != 0.0) {
+    if (!is_there_) return;
+    at_eye_ = options.fog_per_m *
+              reproducible_exp((options.fog_base_m - eye_m.z) / options.fog_height_m) *
+              std::sqrt(glm::dot(direction, direction));
+    fall_ = direction.z / options.fog_height_m;
+  }
+
+  double transmittance(double t) const {
+    if (!is_there_) return 1.0;
+    if (std::isinf(t)) return fall_ > 0.0 ? reproducible_exp(-at_eye_ / fall_) : 0.0;
+    return reproducible_exp(-at_eye_ * t * mean_of_decay(fall_ * t));
+  }
+
+ private:
+  bool is_there_;
+  double at_eye_ = 0.0;  // light lost on a unit of t
+  double fall_ = 0.0;    // of its logarithm along t
+};
+
 struct SoftFragment {
   double t;
   std::uint32_t bundle;
@@ -103,13 +127,7 @@ void require_usable(const BlendOptions& options) {
 
 double fog_transmittance(const BlendOptions& options, const glm::dvec3& eye_m,
                          const glm::dvec3& direction, double t) {
-  if (options.fog_per_m == 0.0) return 1.0;
-  const double at_eye = options.fog_per_m *
-                        reproducible_exp((options.fog_base_m - eye_m.z) / options.fog_height_m) *
-                        std::sqrt(glm::dot(direction, direction));
-  const double fall = direction.z / options.fog_height_m;  // of the density's logarithm along t
-  if (std::isinf(t)) return fall > 0.0 ? reproducible_exp(-at_eye / fall) : 0.0;
-  return reproducible_exp(-at_eye * t * mean_of_decay(fall * t));
+  return FogAlongRay(options, eye_m, direction).transmittance(t);
 }
 
 Layers blend_slices(const SlicingCut& cut, const Camera& camera, const HeightLookup& heights,
@@ -128,15 +146,15 @@ Layers blend_slices(const SlicingCut& cut, const Camera& camera, const HeightLoo
       const SliceRay ray(camera, x, static_cast<int>(row));
       const double last_t = std::min(hits.depth_m[pixel], camera.far_m);
       if (options.falloff_px > 0.0) soft.find(ray, last_t, fragments);
+      const FogAlongRay fog(options, ray.eye_m, ray.direction);
       double left = 1.0;
       for (const SoftFragment& f : fragments) {
-        const double seen = fog_transmittance(options, ray.eye_m, ray.direction, f.t);
+        const double seen = fog.transmittance(f.t);
         of_row.layers.push_back({f.t * ray.direction, static_cast<float>(left * f.opacity * seen)});
         left *= 1.0 - f.opacity;
       }
       of_row.counts.push_back(fragments.size());
-      result.behind[pixel] = static_cast<float>(
-          left * fog_transmittance(options, ray.eye_m, ray.direction, hits.depth_m[pixel]));
+      result.behind[pixel] = static_cast<float>(left * fog.transmittance(hits.depth_m[pixel]));
     }
   });
   result.first.push_back(0);
