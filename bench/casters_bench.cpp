@@ -60,21 +60,24 @@ void embree_caster_frame(benchmark::State& state, const char* preset) {
 // and what double arithmetic found is looked up instead of computed.
 class Replay final : public reference::RayVisitor {
  public:
-  Replay(const HitImage& hits, int cells_across) : hits_(hits), cells_across_(cells_across) {}
+  Replay(const HitImage& hits, int cells_across) : hits_(hits), blocks_(hits.size()) {
+    constexpr std::uint32_t kSide = reference::HeightBlocks::kSide;
+    const auto across = static_cast<std::uint32_t>(cells_across);
+    for (std::size_t pixel = 0; pixel < hits.size(); ++pixel) {
+      const std::uint32_t cell = hits.primitive[pixel] / 2;
+      const std::uint32_t i = cell % across / kSide, j = cell / across / kSide;
+      blocks_[pixel] = hits.hit(pixel) ? j * ((across + kSide - 1) / kSide) + i : kNoPrimitive;
+    }
+  }
   void at(std::size_t pixel, int number) { pixels_[static_cast<std::size_t>(number)] = pixel; }
   double visit(std::uint32_t block, int number) override {
     const std::size_t pixel = pixels_[static_cast<std::size_t>(number)];
-    if (!hits_.hit(pixel)) return kNoHit;
-    constexpr std::uint32_t kSide = reference::HeightBlocks::kSide;
-    const auto across = static_cast<std::uint32_t>(cells_across_);
-    const std::uint32_t cell = hits_.primitive[pixel] / 2;
-    const std::uint32_t i = cell % across / kSide, j = cell / across / kSide;
-    return block == j * ((across + kSide - 1) / kSide) + i ? hits_.depth_m[pixel] : kNoHit;
+    return block == blocks_[pixel] ? hits_.depth_m[pixel] : kNoHit;
   }
 
  private:
   const HitImage& hits_;
-  int cells_across_;
+  std::vector<std::uint32_t> blocks_;  // in which a pixel's hit lies
   std::array<std::size_t, reference::BoxTree::kPacket> pixels_{};
 };
 
@@ -86,18 +89,18 @@ void embree_proposals(benchmark::State& state, const char* preset) {
   const reference::BoxTree tree(blocks.count(), [&](std::uint32_t k) { return blocks.box(k); });
   const HitImage hits = pyramid().cast_frame(camera);
   Replay replay(hits, field.cell_columns());
-  std::vector<reference::Ray> rays;
+  std::array<reference::Ray, reference::BoxTree::kPacket> rays;
   measure(state, [&] {
     for (int y0 = 0; y0 < camera.height_px; y0 += 4) {
       for (int x0 = 0; x0 < camera.width_px; x0 += 4) {
-        rays.clear();
+        std::size_t count = 0;
         for (int k = 0; k < 16; ++k) {
           const int x = x0 + k % 4, y = y0 + k / 4;
           if (x >= camera.width_px || y >= camera.height_px) continue;
-          replay.at(hits.index(x, y), static_cast<int>(rays.size()));
-          rays.push_back(pyramid().camera_ray(camera, x + 0.5, y + 0.5));
+          replay.at(hits.index(x, y), static_cast<int>(count));
+          rays[count++] = pyramid().camera_ray(camera, x + 0.5, y + 0.5);
         }
-        tree.visit_rays(rays, replay);
+        tree.visit_rays(std::span(rays).first(count), replay);
       }
     }
   });

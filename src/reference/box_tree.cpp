@@ -13,14 +13,13 @@
 #include "core/memory.h"
 #include "core/parallel.h"
 #include "reference/embree_version.h"
+#include "reference/tree_place.h"
 
 namespace plumb::reference {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr float kInfinityF = std::numeric_limits<float>::infinity();
-constexpr double kMargin = 1.0 / (1 << 18);     // of the scene's longest side; see the header
-constexpr double kSingleUlp = 1.0 / (1 << 22);  // four roundings to single precision
 
 // The next float at or beyond a double, downwards and upwards.
 float round_down(double x) {
@@ -52,10 +51,9 @@ void give_bounds(const RTCBoundsFunctionArguments* arguments) {
   bounds.upper_z = round_up(high.z);
 }
 
-// Embree's parameter of a ray is t * scale - start.
+// Embree's parameter of a ray is t * scale - ahead.
 struct RayScale {
-  double scale, start, margin;
-  float limit(double t_max) const { return round_up(t_max * scale - start + margin); }
+  double scale, ahead;
 };
 
 // What travels with rays: Embree hands the context's address back to visit_on_ray.
@@ -65,17 +63,25 @@ struct RayWalk {
   std::array<RayScale, BoxTree::kPacket> scales;
 };
 
+// A bit for each of at most 32 rays that are marked by -1 and not by 0.
+unsigned bits_of(const int* valid, unsigned count) {
+  unsigned bits = 0;
+  for (unsigned k = 0; k < count; ++k) bits |= (static_cast<unsigned>(valid[k]) & 1u) << k;
+  return bits;
+}
+
 // Embree may hand out a packet in parts: a ray knows its number.
 void visit_on_ray(const RTCIntersectFunctionNArguments* arguments) {
   auto& walk = *reinterpret_cast<RayWalk*>(arguments->context);
   const unsigned count = arguments->N;
   RTCRayN* const rays = RTCRayHitN_RayN(arguments->rayhit, count);
   RTCHitN* const hits = RTCRayHitN_HitN(arguments->rayhit, count);
-  for (unsigned k = 0; k < count; ++k) {
-    if (arguments->valid[k] == 0) continue;
+  for (unsigned left = bits_of(arguments->valid, count); left; left &= left - 1) {
+    const auto k = static_cast<unsigned>(__builtin_ctz(left));
     const unsigned ray = RTCRayN_id(rays, count, k);
-    const float limit =
-        walk.scales[ray].limit(walk.visitor->visit(arguments->primID, static_cast<int>(ray)));
+    const RayScale& scale = walk.scales[ray];
+    const double wanted = walk.visitor->visit(arguments->primID, static_cast<int>(ray));
+    const float limit = single_beyond(wanted * scale.scale - scale.ahead);
     if (!(limit < RTCRayN_tfar(rays, count, k))) continue;
     RTCRayN_tfar(rays, count, k) = limit;
     RTCHitN_geomID(hits, count, k) = arguments->geomID;
@@ -113,22 +119,6 @@ bool visit_on_ball(RTCPointQueryFunctionArguments* arguments) {
   return true;
 }
 
-// Cuts [low, high] to where origin + s * direction lies in the box. False if nothing is left.
-bool cut_to_box(const glm::dvec3& origin, const glm::dvec3& direction, const Box& box, double& low,
-                double& high) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (direction[axis] == 0.0) {
-      if (origin[axis] < box.low[axis] || origin[axis] > box.high[axis]) return false;
-      continue;
-    }
-    const double a = (box.low[axis] - origin[axis]) / direction[axis];
-    const double b = (box.high[axis] - origin[axis]) / direction[axis];
-    low = std::max(low, std::min(a, b));
-    high = std::min(high, std::max(a, b));
-  }
-  return low <= high;
-}
-
 // Embree takes no notice of names that it does not know.
 void require_instruction_set(const std::string& name) {
   for (const char* known : {"", "sse2", "sse4.2", "avx", "avx2", "avx512"}) {
@@ -138,17 +128,12 @@ void require_instruction_set(const std::string& name) {
       "instruction set must be sse2, sse4.2, avx, avx2, avx512 or empty, got '" + name + "'");
 }
 
-double longest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
-
 }  // namespace
 
 struct BoxTree::Scene {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
-  Box bounds;
-  Box entered;  // `bounds` with the margin twice, relative to the middle
-  glm::dvec3 middle{0.0};
-  double margin = 0.0;
+  TreePlace place;
   MemoryCount memory;  // outlives the device, which the destructor's body releases
 
   Scene() = default;
@@ -168,14 +153,6 @@ struct BoxTree::Scene {
     }
   }
 
-  void place(const Box& all) {
-    bounds = all;
-    middle = 0.5 * (all.low + all.high);
-    margin = kMargin * longest(all.high - all.low);
-    if (margin == 0.0) margin = std::numeric_limits<float>::min();
-    entered = {all.low - middle - 2.0 * margin, all.high - middle + 2.0 * margin};
-  }
-
   void build(std::uint32_t count, const std::function<Box(std::uint32_t)>& box_of,
              const std::string& instruction_set, TreeBuild how) {
     const std::string config = instruction_set.empty() ? "" : "isa=" + instruction_set;
@@ -186,7 +163,7 @@ struct BoxTree::Scene {
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     if (how == TreeBuild::Quick) rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_LOW);
     const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
-    BoxSource source{&box_of, middle, margin};
+    BoxSource source{&box_of, place.middle, place.margin};
     rtcSetGeometryUserPrimitiveCount(geometry, count);
     rtcSetGeometryUserData(geometry, &source);
     rtcSetGeometryBoundsFunction(geometry, give_bounds, nullptr);
@@ -216,7 +193,7 @@ BoxTree::BoxTree(std::uint32_t count, const std::function<Box(std::uint32_t)>& b
         a.add(b);
         return a;
       });
-  scene_->place(all);
+  scene_->place = TreePlace(all);
   scene_->build(count, box_of, instruction_set, build);
 }
 
@@ -224,24 +201,9 @@ BoxTree::~BoxTree() = default;
 BoxTree::BoxTree(BoxTree&&) noexcept = default;
 BoxTree& BoxTree::operator=(BoxTree&&) noexcept = default;
 
-const Box& BoxTree::bounds() const { return scene_->bounds; }
+const Box& BoxTree::bounds() const { return scene_->place.bounds; }
 std::int64_t BoxTree::peak_bytes() const { return scene_->memory.peak; }
 std::int64_t BoxTree::bytes() const { return scene_->memory.now; }
-
-std::optional<BoxTree::Entry> BoxTree::enter(const Ray& ray) const {
-  if (!scene_->scene) return std::nullopt;
-  const double scale = longest(glm::abs(ray.direction));
-  Entry entry;
-  entry.direction = ray.direction / scale;
-  const glm::dvec3 origin = ray.origin_m - scene_->middle;
-  double low = ray.t_min * scale, high = ray.t_max * scale;
-  if (!cut_to_box(origin, entry.direction, scene_->entered, low, high)) return std::nullopt;
-  entry.origin = origin + low * entry.direction;
-  entry.length = high - low + scene_->margin;
-  entry.scale = scale;
-  entry.start = low;
-  return entry;
-}
 
 void BoxTree::visit_rays(std::span<const Ray> rays, RayVisitor& visitor) const {
   if (!scene_->scene) return;
@@ -252,17 +214,17 @@ void BoxTree::visit_rays(std::span<const Ray> rays, RayVisitor& visitor) const {
   alignas(64) std::array<int, kPacket> valid{};
   alignas(64) RTCRayHit16 query{};
   for (std::size_t k = 0; k < rays.size(); ++k) {
-    const std::optional<Entry> entry = enter(rays[k]);
-    if (!entry) continue;
+    TreeEntry entry;
+    if (!scene_->place.enter(rays[k], entry)) continue;
     valid[k] = -1;
-    walk.scales[k] = {entry->scale, entry->start, scene_->margin};
-    query.ray.org_x[k] = static_cast<float>(entry->origin.x);
-    query.ray.org_y[k] = static_cast<float>(entry->origin.y);
-    query.ray.org_z[k] = static_cast<float>(entry->origin.z);
-    query.ray.dir_x[k] = static_cast<float>(entry->direction.x);
-    query.ray.dir_y[k] = static_cast<float>(entry->direction.y);
-    query.ray.dir_z[k] = static_cast<float>(entry->direction.z);
-    query.ray.tfar[k] = round_up(entry->length);
+    walk.scales[k] = {entry.scale, entry.start - scene_->place.margin};
+    query.ray.org_x[k] = static_cast<float>(entry.origin.x);
+    query.ray.org_y[k] = static_cast<float>(entry.origin.y);
+    query.ray.org_z[k] = static_cast<float>(entry.origin.z);
+    query.ray.dir_x[k] = static_cast<float>(entry.direction.x);
+    query.ray.dir_y[k] = static_cast<float>(entry.direction.y);
+    query.ray.dir_z[k] = static_cast<float>(entry.direction.z);
+    query.ray.tfar[k] = single_beyond(entry.length);
     query.ray.mask[k] = 0xffffffffu;
     query.ray.id[k] = static_cast<unsigned>(k);
     query.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
@@ -273,8 +235,8 @@ void BoxTree::visit_rays(std::span<const Ray> rays, RayVisitor& visitor) const {
 
 void BoxTree::visit_ball(const glm::dvec3& point, double radius, BallVisitor& visitor) const {
   if (!scene_->scene) return;
-  const glm::dvec3 centre = point - scene_->middle;
-  BallWalk walk{&visitor, scene_->margin + kSingleUlp * longest(glm::abs(centre))};
+  const glm::dvec3 centre = point - scene_->place.middle;
+  BallWalk walk{&visitor, scene_->place.margin + kSingleUlp * TreePlace::longest(glm::abs(centre))};
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
   RTCPointQuery query{};

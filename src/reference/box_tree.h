@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 
@@ -75,13 +74,6 @@ class BoxTree {
   std::int64_t bytes() const;
 
  private:
-  // A ray from where it enters the scene, in Embree's coordinates.
-  struct Entry {
-    glm::dvec3 origin, direction;
-    double length, scale, start;
-  };
-  std::optional<Entry> enter(const Ray& ray) const;
-
   struct Scene;
   std::unique_ptr<Scene> scene_;
 };
