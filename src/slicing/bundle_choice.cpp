@@ -130,6 +130,17 @@ std::optional<PricedBundle> conservative(const SlicingNode& node, std::uint32_t 
   return best;
 }
 
+// The steepest slope within the reach, infinity where it is not known: a node knows its own cells
+// and those around them.
+double steepest_within(const Box& reach, const SlicingNode& node) {
+  const glm::dvec3 extent = node.box.high - node.box.low;
+  const double dx = extent.x / (node.i1 - node.i0), dy = extent.y / (node.j1 - node.j0);
+  const bool known = node.inland && reach.low.x >= node.box.low.x - dx &&
+                     reach.low.y >= node.box.low.y - dy && reach.high.x <= node.box.high.x + dx &&
+                     reach.high.y <= node.box.high.y + dy;
+  return known ? node.steepest : kInfinity;
+}
+
 }  // namespace
 
 BoxView view_of_box(const Box& box, const Camera& camera, Variant variant) {
@@ -185,9 +196,11 @@ double depth_change(const Box& box, double steepest, const glm::dvec3& eye_m, Ax
 std::optional<PricedBundle> price_bundle(const SlicingNode& node, std::uint32_t index,
                                          const Camera& camera, Variant variant, double tolerance_px,
                                          const CostProfile& profile, bool borders) {
-  return variant == Variant::Published
-             ? published(node, index, camera, tolerance_px, profile, borders)
-             : conservative(node, index, camera, tolerance_px, profile);
+  std::optional<PricedBundle> priced =
+      variant == Variant::Published ? published(node, index, camera, tolerance_px, profile, borders)
+                                    : conservative(node, index, camera, tolerance_px, profile);
+  if (priced) priced->bundle.steepest = steepest_within(priced->bundle.reach, node);
+  return priced;
 }
 
 }  // namespace plumb::slicing

@@ -57,19 +57,19 @@ HeightLookup::HeightLookup(const terrain::Heightfield& field, terrain::Diagonal 
   }
 }
 
-std::optional<PlaneRunHeights> HeightLookup::for_plane_runs() const {
+std::optional<LaneHeights> HeightLookup::for_lanes() const {
   const Grid<float>& heights = field_->heights_m;
   if (interpolation_ != Interpolation::Triangulated ||
       diagonal_ != terrain::Diagonal::Alternating ||
       heights.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
     return std::nullopt;
   }
-  return PlaneRunHeights{heights.values().data(),
-                         heights.columns(),
-                         static_cast<double>(field_->cell_columns()),
-                         static_cast<double>(field_->cell_rows()),
-                         columns_per_m_,
-                         rows_per_m_};
+  return LaneHeights{heights.values().data(),
+                     heights.columns(),
+                     static_cast<double>(field_->cell_columns()),
+                     static_cast<double>(field_->cell_rows()),
+                     columns_per_m_,
+                     rows_per_m_};
 }
 
 double HeightLookup::alpha_at(double x_m, double y_m) const {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/grid.h"
-#include "slicing/plane_run.h"
+#include "slicing/slice_packet.h"
 #include "terrain/heightfield.h"
 
 namespace plumb::slicing {
@@ -51,7 +51,7 @@ class HeightLookup {
   }
 
   /// The same for the ray-slicer's lanes; nothing where they cannot look heights up so.
-  std::optional<PlaneRunHeights> for_plane_runs() const;
+  std::optional<LaneHeights> for_lanes() const;
 
   /// Sample distances a metre, along x and along y.
   double columns_per_m() const { return columns_per_m_; }

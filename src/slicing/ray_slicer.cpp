@@ -1,27 +1,40 @@
 #include "slicing/ray_slicer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <vector>
 
 #include "core/parallel.h"
 #include "slicing/branch_walk.h"
-#include "slicing/plane_run.h"
+#include "slicing/slice_packet.h"
 
 namespace plumb::slicing {
 namespace {
 
-constexpr int kFewPlanes = 3;  // of which setting up lanes would cost more than it saves
+// Pixels of a packet.
+constexpr int kColumns = 4, kRows = 2;
+static_assert(kColumns * kRows == SlicePacket::kMost);
+
+struct PixelBlock {
+  int x0, y0, columns, rows;
+
+  // Calls with(k, x, y) for each pixel, row by row.
+  template <class With>
+  void for_each(const With& with) const {
+    int k = 0;
+    for (int y = y0; y < y0 + rows; ++y) {
+      for (int x = x0; x < x0 + columns; ++x) with(k++, x, y);
+    }
+  }
+};
 
 class RaySlicer {
  public:
   RaySlicer(const SlicingCut& cut, const HeightLookup& heights, double near_m, double far_m)
-      : cut_(cut),
-        heights_(heights),
-        all_{near_m, far_m},
-        meet_planes_(meet_planes(instruction_set())),
-        run_heights_(heights.for_plane_runs()) {}
+      : cut_(cut), heights_(heights), all_{near_m, far_m} {}
 
-  SliceHit cast(const SliceRay& ray, std::int64_t& tested) const {
+  SliceHit cast(const SliceRay& ray, std::int32_t& tested) const {
     SliceHit best;
     walk_bundles(cut_, ray, all_, best.t, [&](std::uint32_t bundle, const Interval& part) {
       meet_bundle(bundle, ray, part, best, tested);
@@ -31,16 +44,11 @@ class RaySlicer {
 
  private:
   void meet_bundle(std::uint32_t number, const SliceRay& ray, const Interval& part, SliceHit& best,
-                   std::int64_t& tested) const {
+                   std::int32_t& tested) const {
     const SliceBundle& bundle = cut_.bundles[number];
     if (bundle.closed) meet_closing_quads(number, ray, best, tested);
     const auto [low, high] = planes_within(bundle, ray, part);
     const double step = ray.direction[index_of(bundle.axis)];
-    if (run_heights_ && high - low >= kFewPlanes) {
-      meet_run(number, ray, step > 0.0 ? low : high, step > 0.0 ? 1.0 : -1.0, high - low + 1, best,
-               tested);
-      return;
-    }
     for (int k = 0; k <= high - low; ++k) {
       const int j = step > 0.0 ? low + k : high - k;
       if (meet_quad(number, QuadKind::Slice, bundle.axis, bundle.plane_m(j), ray, best, tested))
@@ -48,37 +56,8 @@ class RaySlicer {
     }
   }
 
-  // The same for many planes at once.
-  void meet_run(std::uint32_t number, const SliceRay& ray, int first, double step, int count,
-                SliceHit& best, std::int64_t& tested) const {
-    const SliceBundle& bundle = cut_.bundles[number];
-    PlaneRun run;
-    for (int k = 0; k < 3; ++k) {
-      run.eye_m[k] = ray.eye_m[k];
-      run.direction[k] = ray.direction[k];
-      run.low_m[k] = bundle.reach.low[k];
-      run.high_m[k] = bundle.reach.high[k];
-    }
-    run.axis = index_of(bundle.axis);
-    run.inverse = ray.inverse[run.axis];
-    run.first_plane = first;
-    run.step = step;
-    run.count = count;
-    run.first_m = bundle.first_m;
-    run.spacing_m = bundle.spacing_m;
-    run.near_t = all_.begin;
-    run.far_t = all_.end;
-    run.best_t = best.t;
-    run.raise_m = bundle.raise_m;
-    run.least_z_m = bundle.least_z_m;
-    run.greatest_z_m = bundle.greatest_z_m;
-    const PlaneRunEnd end = meet_planes_(run, *run_heights_);
-    tested += end.tested;
-    if (end.plane >= 0) best = std::min(best, SliceHit{end.t, number});
-  }
-
   void meet_closing_quads(std::uint32_t number, const SliceRay& ray, SliceHit& best,
-                          std::int64_t& tested) const {
+                          std::int32_t& tested) const {
     for_each_closing_quad(cut_.bundles[number], [&](Axis axis, double at_m) {
       meet_quad(number, QuadKind::Closing, axis, at_m, ray, best, tested);
     });
@@ -86,7 +65,7 @@ class RaySlicer {
 
   // True if no plane behind this one can be nearer than the best.
   bool meet_quad(std::uint32_t number, QuadKind kind, Axis axis, double at_m, const SliceRay& ray,
-                 SliceHit& best, std::int64_t& tested) const {
+                 SliceHit& best, std::int32_t& tested) const {
     const SliceBundle& bundle = cut_.bundles[number];
     if (ray.direction[index_of(axis)] == 0.0) return false;
     const PlanePoint met = meet_plane(ray, axis, at_m);
@@ -102,9 +81,97 @@ class RaySlicer {
   const SlicingCut& cut_;
   const HeightLookup& heights_;
   Interval all_;  // near and far
-  MeetPlanes meet_planes_;
-  std::optional<PlaneRunHeights> run_heights_;
 };
+
+// Packets of rays in lanes where the lookup allows it.
+class PacketSlicer {
+ public:
+  PacketSlicer(const SlicingCut& cut, const Camera& camera, const HeightLookup& heights)
+      : one_by_one_(cut, heights, camera.near_m, camera.far_m),
+        slice_packets_(slice_packets(instruction_set())) {
+    const std::optional<LaneHeights> lane_heights = heights.for_lanes();
+    in_lanes_ = lane_heights && !cut.branches.empty();
+    if (!in_lanes_) return;
+    scene_.branches = cut.branches.data();
+    scene_.root = static_cast<std::uint32_t>(cut.branches.size()) - 1;
+    scene_.bundles = cut.bundles.data();
+    scene_.heights = *lane_heights;
+    for (int k = 0; k < 3; ++k) scene_.eye_m[k] = camera.eye_m[k];
+    scene_.near_t = camera.near_m;
+    scene_.far_t = camera.far_m;
+    scene_.rounding_m = rounding_m(cut, camera);
+  }
+
+  // The rays of pixels side by side, whose directions and their inverses the packet has.
+  void cast(const Camera& camera, const PixelBlock& block, SlicePacket& packet) const {
+    if (in_lanes_ && agree(packet)) {
+      slice_packets_(scene_, packet);
+      return;
+    }
+    block.for_each([&](int k, int x, int y) {
+      packet.tested[k] = 0;
+      const SliceHit hit = one_by_one_.cast(SliceRay(camera, x, y), packet.tested[k]);
+      packet.t[k] = hit.t;
+      packet.bundle[k] = hit.bundle;
+    });
+  }
+
+ private:
+  // 2^8 roundings of the greatest coordinate: a fragment's and its ground's take fewer than 30.
+  static double rounding_m(const SlicingCut& cut, const Camera& camera) {
+    const Box& all = cut.branches.back().reach;
+    double greatest_m = 0.0;
+    for (const glm::dvec3& p : {all.low, all.high, camera.eye_m}) {
+      for (int k = 0; k < 3; ++k) greatest_m = std::max(greatest_m, std::abs(p[k]));
+    }
+    return std::ldexp(greatest_m, -45);
+  }
+
+  static bool agree(const SlicePacket& packet) {
+    const bool west = packet.direction[0][0] < 0.0, south = packet.direction[1][0] < 0.0;
+    bool agree = true;
+    for (int k = 0; k < packet.count; ++k) {
+      agree = agree && (packet.direction[0][k] < 0.0) == west &&
+              (packet.direction[1][k] < 0.0) == south;
+      for (int axis = 0; axis < 3; ++axis)
+        agree = agree && std::abs(packet.direction[axis][k]) >= SlicePacket::kStill;
+    }
+    return agree;
+  }
+
+  RaySlicer one_by_one_;
+  SlicePackets slice_packets_;
+  bool in_lanes_ = false;
+  PacketScene scene_;
+};
+
+// Casts a packet; returns the fragments tested.
+std::int64_t slice_pixels(const PacketSlicer& slicer, const Camera& camera, const PixelBlock& block,
+                          HitImage& image) {
+  SlicePacket packet;
+  packet.count = block.columns * block.rows;
+  block.for_each([&](int k, int x, int y) {
+    const glm::dvec3 direction = ray_direction(camera, x + 0.5, y + 0.5);
+    for (int axis = 0; axis < 3; ++axis) {
+      packet.direction[axis][k] = direction[axis];
+      packet.inverse[axis][k] = 1.0 / direction[axis];
+    }
+  });
+  slicer.cast(camera, block, packet);
+  std::int64_t tested = 0;
+  block.for_each([&](int k, int x, int y) {
+    const std::size_t pixel = image.index(x, y);
+    tested += packet.tested[k];
+    image.overdraw[pixel] = static_cast<std::uint16_t>(std::min(packet.tested[k], 65535));
+    if (packet.bundle[k] == kNoPrimitive) return;
+    image.depth_m[pixel] = packet.t[k];
+    image.from_eye_m[pixel] =
+        packet.t[k] *
+        glm::dvec3(packet.direction[0][k], packet.direction[1][k], packet.direction[2][k]);
+    image.primitive[pixel] = packet.bundle[k];
+  });
+  return tested;
+}
 
 }  // namespace
 
@@ -112,24 +179,18 @@ SlicedImage slice_rays(const SlicingCut& cut, const Camera& camera, const Height
   SlicedImage result;
   result.image = HitImage(camera.width_px, camera.height_px);
   result.image.overdraw.assign(result.image.size(), 0);
-  const RaySlicer slicer(cut, heights, camera.near_m, camera.far_m);
-  std::vector<std::int64_t> tested(static_cast<std::size_t>(camera.height_px), 0);
-  parallel_for(camera.height_px, 4, [&](std::int64_t row) {
-    const int y = static_cast<int>(row);
-    for (int x = 0; x < camera.width_px; ++x) {
-      const SliceRay ray(camera, x, y);
-      std::int64_t met = 0;
-      const SliceHit hit = slicer.cast(ray, met);
-      tested[static_cast<std::size_t>(row)] += met;
-      const std::size_t pixel = result.image.index(x, y);
-      result.image.overdraw[pixel] = static_cast<std::uint16_t>(std::min<std::int64_t>(met, 65535));
-      if (!hit) continue;
-      result.image.depth_m[pixel] = hit.t;
-      result.image.from_eye_m[pixel] = hit.t * ray.direction;
-      result.image.primitive[pixel] = hit.bundle;
+  const PacketSlicer slicer(cut, camera, heights);
+  const int bands = (camera.height_px + kRows - 1) / kRows;
+  std::vector<std::int64_t> tested(static_cast<std::size_t>(bands), 0);
+  parallel_for(bands, 2, [&](std::int64_t band) {
+    for (int x = 0; x < camera.width_px; x += kColumns) {
+      const int y = static_cast<int>(band) * kRows;
+      const PixelBlock block{x, y, std::min(kColumns, camera.width_px - x),
+                             std::min(kRows, camera.height_px - y)};
+      tested[static_cast<std::size_t>(band)] += slice_pixels(slicer, camera, block, result.image);
     }
   });
-  for (const std::int64_t of_row : tested) result.fragments += of_row;
+  for (const std::int64_t of_band : tested) result.fragments += of_band;
   return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "core/box.h"
 
@@ -30,6 +31,7 @@ struct SliceBundle {
   double raise_m = 0.0;
   double closing_raise_m = 0.0;
   double least_z_m = 0.0, greatest_z_m = 0.0;
+  double steepest = std::numeric_limits<double>::infinity();  // no slope within its reach is, m/m
 
   double plane_m(int j) const { return first_m + j * spacing_m; }
 };

@@ -1,7 +1,6 @@
 // Which nodes of the tree are drawn, and as what, for one camera.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -29,8 +28,8 @@ enum class NodeUse : std::uint8_t { Nothing, Inner, Bundle, Polygons };
 struct SliceBranch {
   Box reach;                            // of all slices in it
   std::uint32_t bundle = kNoPrimitive;  // of a leaf of the walk
-  std::array<std::uint32_t, 4> below{kNoPrimitive, kNoPrimitive, kNoPrimitive,
-                                     kNoPrimitive};  // SW, SE, NW, NE; kNoPrimitive: no slices
+  std::uint32_t below[4] = {kNoPrimitive, kNoPrimitive, kNoPrimitive,
+                            kNoPrimitive};  // SW, SE, NW, NE; kNoPrimitive: no slices
 };
 
 /// A cut through the tree: every path from the root ends in one used node, or in nothing to see.

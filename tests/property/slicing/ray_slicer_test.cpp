@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "core/instruction_set.h"
@@ -12,6 +13,7 @@
 #include "core/screen_error.h"
 #include "reference/pyramid_caster.h"
 #include "reference/surface_height.h"
+#include "slicing/branch_walk.h"
 #include "slicing/hybrid_frame.h"
 #include "support/every_quad.h"
 #include "support/random_slices.h"
@@ -35,6 +37,74 @@ SliceHit by_trying_all(const SlicingCut& cut, const HeightLookup& heights, const
   return best;
 }
 
+// The bundles in the order in which a ray comes to them: at every branch the child nearest to where
+// it starts first, the farthest last.
+void in_order(const SlicingCut& cut, std::uint32_t branch, const SliceRay& ray,
+              std::vector<std::uint32_t>& order) {
+  const SliceBranch& here = cut.branches[branch];
+  if (here.bundle != kNoPrimitive) order.push_back(here.bundle);
+  for (const bool far_side : {false, true}) {
+    for (const bool across : {false, true}) {
+      const bool east = across != (ray.direction.x < 0.0);
+      const bool north = far_side != (ray.direction.y < 0.0);
+      const std::uint32_t below = here.below[2 * north + east];
+      if (below != kNoPrimitive) in_order(cut, below, ray, order);
+    }
+  }
+}
+
+// What the ray-slicer says that it tests, counted over every quad of every bundle.
+class SlowCount {
+ public:
+  SlowCount(const SlicingCut& cut, const HeightLookup& heights, const Camera& camera, int x, int y)
+      : cut_(cut), heights_(heights), camera_(camera), ray_(camera, x, y) {}
+
+  int count() {
+    std::vector<std::uint32_t> order;
+    if (!cut_.branches.empty())
+      in_order(cut_, static_cast<std::uint32_t>(cut_.branches.size()) - 1, ray_, order);
+    for (const std::uint32_t number : order) {
+      const SliceBundle& bundle = cut_.bundles[number];
+      const Interval part = inside(ray_, bundle.reach, {camera_.near_m, camera_.far_m});
+      if (part.empty() || part.begin > best_.t) continue;
+      const glm::dvec3 &low = bundle.reach.low, &high = bundle.reach.high;
+      if (bundle.closed) {
+        for (const auto& [axis, at_m] :
+             {std::pair(Axis::X, low.x), std::pair(Axis::X, high.x), std::pair(Axis::Y, low.y),
+              std::pair(Axis::Y, high.y), std::pair(Axis::Z, low.z)})
+          is_seen(number, QuadKind::Closing, axis, at_m);
+      }
+      const bool ascending = ray_.direction[index_of(bundle.axis)] > 0.0;
+      for (int k = 0; k < bundle.count; ++k) {
+        const int j = ascending ? k : bundle.count - 1 - k;
+        if (is_seen(number, QuadKind::Slice, bundle.axis, bundle.plane_m(j))) break;
+      }
+    }
+    return tested_;
+  }
+
+ private:
+  bool is_seen(std::uint32_t number, QuadKind kind, Axis axis, double at_m) {
+    if (ray_.direction[index_of(axis)] == 0.0) return false;
+    const SliceBundle& bundle = cut_.bundles[number];
+    const PlanePoint met = meet_plane(ray_, axis, at_m);
+    if (met.t < camera_.near_m || met.t > camera_.far_m || met.t > best_.t ||
+        !is_on_quad(bundle, axis, met.point_m))
+      return false;
+    ++tested_;
+    if (!passes(bundle, kind, axis, heights_, ray_, met)) return false;
+    best_ = std::min(best_, SliceHit{met.t, number});
+    return true;
+  }
+
+  const SlicingCut& cut_;
+  const HeightLookup& heights_;
+  const Camera& camera_;
+  SliceRay ray_;
+  SliceHit best_;
+  int tested_ = 0;
+};
+
 TEST(RaySlicer, SeesWhatALoopOverEveryPlaneSees) {
   Random random(41);
   std::int64_t hits = 0;
@@ -57,6 +127,7 @@ TEST(RaySlicer, SeesWhatALoopOverEveryPlaneSees) {
         const std::size_t pixel = sliced.image.index(x, y);
         ASSERT_EQ(sliced.image.depth_m[pixel], expected.t) << round << ": " << x << ", " << y;
         ASSERT_EQ(sliced.image.primitive[pixel], expected.bundle);
+        ASSERT_EQ(sliced.image.overdraw[pixel], SlowCount(cut, heights, camera, x, y).count());
         hits += expected ? 1 : 0;
         fragments += sliced.image.overdraw[pixel];
       }

@@ -1,0 +1,294 @@
+// Written once for every number of lanes; see reference/lane_walk_kernel.h for who may include it.
+#pragma once
+
+#include "slicing/slice_packet.h"
+#include "slicing/slicing_cut.h"
+
+namespace plumb::slicing {
+namespace {
+
+#define PLUMB_INLINE __attribute__((always_inline)) inline
+
+// HeightLookup::height_m, triangulated; NaN in lanes that are not asked for.
+template <class L>
+PLUMB_INLINE typename L::Real ground_m(const LaneHeights& h, typename L::Real x, typename L::Real y,
+                                       typename L::Mask asked) {
+  using Real = typename L::Real;
+  const Real zero = L::all(0.0), one = L::all(1.0), rim = L::all(1e-9);
+  const Real nothing = L::all(__builtin_nan(""));
+  const Real columns = L::all(h.cell_columns), rows = L::all(h.cell_rows);
+  Real u = x * L::all(h.columns_per_m), v = y * L::all(h.rows_per_m);
+  asked =
+      L::both(asked, L::both(L::both(L::less_equal(zero - rim, u), L::less_equal(u, columns + rim)),
+                             L::both(L::less_equal(zero - rim, v), L::less_equal(v, rows + rim))));
+  if (L::bits(asked) == 0) return nothing;
+  u = L::least(L::greatest(u, zero), columns);
+  v = L::least(L::greatest(v, zero), rows);
+  const Real i = L::least(L::floor(u), columns - one), j = L::least(L::floor(v), rows - one);
+  const Real a = u - i, b = v - j;
+  const Real index = j * L::all(h.columns) + i;
+  const auto south = L::template gather<1>(h.heights_m, index, asked);
+  const auto north = L::template gather<1>(h.heights_m + h.columns, index, asked);
+  const Real sw = south.first, se = south.second, nw = north.first, ne = north.second;
+
+  const Real half = L::all(0.5), place = i + j;
+  const auto rises = L::equal(L::floor(place * half) * L::all(2.0), place);
+  const auto south_east = L::less_equal(b, a), south_west = L::less_equal(a + b, one);
+  const Real rising = L::choose(south_east, (one - a) * sw + (a - b) * se + b * ne,
+                                (one - b) * sw + a * ne + (b - a) * nw);
+  const Real falling = L::choose(south_west, (one - a - b) * sw + a * se + b * nw,
+                                 (one - b) * se + (a + b - one) * ne + (one - a) * nw);
+  return L::choose(asked, L::choose(rises, rising, falling), nothing);
+}
+
+// One ray a lane.
+template <class L>
+class LaneSlicer {
+  using Real = typename L::Real;
+  using Mask = typename L::Mask;
+
+ public:
+  LaneSlicer(const PacketScene& scene, const SlicePacket& packet, int first) : scene_(scene) {
+    for (int k = 0; k < 3; ++k) {
+      eye_[k] = L::all(scene.eye_m[k]);
+      direction_[k] = L::load(packet.direction[k] + first);
+      inverse_[k] = L::load(packet.inverse[k] + first);
+    }
+    const int count = packet.count - first;
+    live_ = L::mask(count >= L::kCount ? (1u << L::kCount) - 1u : (1u << count) - 1u);
+    across_ = L::root(direction_[0] * direction_[0] + direction_[1] * direction_[1]);
+    best_t_ = L::all(__builtin_inf());
+    best_bundle_ = L::all(static_cast<double>(kNoPrimitive));
+    tested_ = L::all(0.0);
+    east_ = packet.direction[0][first] < 0.0 ? 1 : 0;
+    north_ = packet.direction[1][first] < 0.0 ? 2 : 0;
+  }
+
+  void run() {
+    std::uint32_t stack[3 * 16 + 1];
+    int count = 0;
+    stack[count++] = scene_.root;
+    while (count > 0) {
+      const SliceBranch& branch = scene_.branches[stack[--count]];
+      Real begin, end;
+      const Mask inside = enter(branch.reach, begin, end);
+      if (L::bits(inside) == 0) continue;
+      if (branch.bundle != kNoPrimitive) {
+        meet_bundle(branch.bundle, begin, end, inside);
+        continue;
+      }
+      for (int k = 3; k >= 0; --k) {
+        const std::uint32_t below = branch.below[k ^ east_ ^ north_];
+        if (below != kNoPrimitive) stack[count++] = below;
+      }
+    }
+  }
+
+  void store(SlicePacket& packet, int first) const {
+    double t[L::kCount], bundle[L::kCount], tested[L::kCount];
+    L::store(t, best_t_);
+    L::store(bundle, best_bundle_);
+    L::store(tested, tested_);
+    for (int k = 0; k < L::kCount && first + k < packet.count; ++k) {
+      packet.t[first + k] = t[k];
+      packet.bundle[first + k] = static_cast<std::uint32_t>(bundle[k]);
+      packet.tested[first + k] = static_cast<std::int32_t>(tested[k]);
+    }
+  }
+
+ private:
+  // Lanes that are inside the box somewhere between `begin` and `end`; branch_walk.h's inside().
+  PLUMB_INLINE Mask enter(const Box& box, Real& begin, Real& end) const {
+    const double *low = &box.low.x, *high = &box.high.x;
+    const Real wider = L::all(1e-12);
+    begin = L::all(scene_.near_t);
+    end = L::all(scene_.far_t);
+    for (int k = 0; k < 3; ++k) {
+      const Real a = (L::all(low[k]) - eye_[k]) * inverse_[k],
+                 b = (L::all(high[k]) - eye_[k]) * inverse_[k];
+      const Real first = L::least(a, b), last = L::greatest(a, b);
+      begin = L::greatest(begin, first - wider * L::magnitude(first));
+      end = L::least(end, last + wider * L::magnitude(last));
+    }
+    return L::both(live_, L::without(L::less_equal(begin, end), L::less(best_t_, begin)));
+  }
+
+  PLUMB_INLINE void meet_bundle(std::uint32_t number, Real begin, Real end, Mask asked) {
+    const SliceBundle& bundle = scene_.bundles[number];
+    if (bundle.closed) meet_closing_quads(number, asked);
+    const int n = static_cast<int>(bundle.axis);
+    const Mask ascending = L::both(asked, L::less(L::all(0.0), direction_[n]));
+    const Mask descending = L::without(asked, ascending);
+    Real low, high;
+    planes_within(bundle, n, begin, L::least(end, best_t_), low, high);
+    if (L::bits(ascending) != 0) meet_planes(number, n, low, high, ascending, true);
+    if (L::bits(descending) != 0) meet_planes(number, n, low, high, descending, false);
+  }
+
+  // branch_walk.h's planes_within().
+  PLUMB_INLINE void planes_within(const SliceBundle& bundle, int n, Real begin, Real end, Real& low,
+                                  Real& high) const {
+    const Real from = eye_[n] + begin * direction_[n], to = eye_[n] + end * direction_[n];
+    const Real zero = L::all(0.0), one = L::all(1.0);
+    low = high = zero;
+    if (bundle.spacing_m > 0.0) {
+      const Real first = L::all(bundle.first_m), spacing = L::all(bundle.spacing_m);
+      const Real least = L::all(-1.0), most = L::all(bundle.count);
+      low = L::floor(L::least(L::greatest((L::least(from, to) - first) / spacing, least), most));
+      high =
+          L::floor(L::least(L::greatest((L::greatest(from, to) - first) / spacing, least), most));
+    }
+    low = L::greatest(low - one, zero);
+    high = L::least(high + one, L::all(bundle.count - 1.0));
+  }
+
+  // A bundle's planes for the lanes that meet them in one order; places are counted from the
+  // nearest, plane = origin + step * place.
+  struct Run {
+    const SliceBundle* bundle;
+    int n;
+    double origin, step;
+    Real first, last;  // of each lane: its planes that are met on their quads
+
+    PLUMB_INLINE Real plane_m(Real place) const {
+      return L::all(bundle->first_m) +
+             (L::all(origin) + L::all(step) * place) * L::all(bundle->spacing_m);
+    }
+  };
+
+  // Planes low .. high of each lane, nearest first, until one passes or is no longer the nearest.
+  PLUMB_INLINE void meet_planes(std::uint32_t number, int n, Real low, Real high, Mask open,
+                                bool ascending) {
+    const SliceBundle& bundle = scene_.bundles[number];
+    const Real one = L::all(1.0);
+    Run run{&bundle, n, ascending ? 0.0 : bundle.count - 1.0, ascending ? 1.0 : -1.0, low, high};
+    if (!ascending) {
+      run.first = L::all(run.origin) - high;
+      run.last = L::all(run.origin) - low;
+    }
+    open = find_ends(run, open);
+    // More than a ray's height above the ground may change from one plane to the next.
+    const Real change = L::all(bundle.spacing_m * 1.000000001) *
+                        (L::all(bundle.steepest) * across_ + L::magnitude(direction_[2])) *
+                        L::magnitude(inverse_[n]);
+    const Real planes_per_m = one / change;
+    const Real slack = L::all(scene_.rounding_m * (1.0 + bundle.steepest));
+    Real place = run.first;
+    while (L::bits(open) != 0) {
+      Real t, point[3], above;
+      meet_quad(bundle, n, run.plane_m(place), t, point);
+      const Mask passes = see(number, t, point, bundle.raise_m, open, above);
+      tested_ = tested_ + L::choose(passes, place - run.first + one, L::all(0.0));
+      open = L::without(open, passes);
+      // Where nothing is known, the next plane: of a number and none, `greatest` takes its second.
+      const Real ahead = L::least(L::greatest((above - slack) * planes_per_m, one), L::all(1e9));
+      place = place - L::floor(L::all(0.0) - ahead);
+      const Mask left = L::less_equal(place, run.last);
+      tested_ =
+          tested_ + L::choose(L::without(open, left), run.last - run.first + one, L::all(0.0));
+      open = L::both(open, left);
+    }
+  }
+
+  // Cuts each lane's planes to those that it meets on their quads and not behind what is seen
+  // already: t and the point are monotonic in the plane, so they are neighbours. Returns the lanes
+  // that have any.
+  PLUMB_INLINE Mask find_ends(Run& run, Mask asked) const {
+    const Real one = L::all(1.0);
+    asked = L::both(asked, L::less_equal(run.first, run.last));
+    for (Mask off = asked;;) {
+      off = L::without(off, is_met(run, run.first));
+      off = L::both(off, L::less(run.first, run.last));
+      if (L::bits(off) == 0) break;
+      run.first = L::choose(off, run.first + one, run.first);
+    }
+    for (Mask off = asked;;) {
+      off = L::without(off, is_met(run, run.last));
+      off = L::both(off, L::less(run.first, run.last));
+      if (L::bits(off) == 0) break;
+      run.last = L::choose(off, run.last - one, run.last);
+    }
+    return L::both(asked, is_met(run, run.first));
+  }
+
+  PLUMB_INLINE Mask is_met(const Run& run, Real place) const {
+    Real t, point[3];
+    return meet_quad(*run.bundle, run.n, run.plane_m(place), t, point);
+  }
+
+  // Where the rays meet a plane across axis `n`. Returns the lanes that meet it on its quad, and
+  // not behind what is seen already.
+  PLUMB_INLINE Mask meet_quad(const SliceBundle& bundle, int n, Real at, Real& t,
+                              Real* point) const {
+    const double *low = &bundle.reach.low.x, *high = &bundle.reach.high.x;
+    t = (at - eye_[n]) * inverse_[n];
+    Mask met = L::without(
+        L::both(L::less_equal(L::all(scene_.near_t), t), L::less_equal(t, L::all(scene_.far_t))),
+        L::less(best_t_, t));
+    for (int k = 0; k < 3; ++k) {
+      if (k == n) {
+        point[k] = at;
+        continue;
+      }
+      point[k] = eye_[k] + t * direction_[k];
+      met = L::both(met, L::both(L::less_equal(L::all(low[k]), point[k]),
+                                 L::less_equal(point[k], L::all(high[k]))));
+    }
+    return met;
+  }
+
+  PLUMB_INLINE void meet_closing_quads(std::uint32_t number, Mask asked) {
+    const SliceBundle& bundle = scene_.bundles[number];
+    const double *low = &bundle.reach.low.x, *high = &bundle.reach.high.x;
+    for (int quad = 0; quad < 5; ++quad) {
+      const int n = quad / 2;
+      Real t, point[3], above;
+      const Mask met =
+          L::both(asked, meet_quad(bundle, n, L::all(quad % 2 == 0 ? low[n] : high[n]), t, point));
+      if (L::bits(met) == 0) continue;
+      tested_ = tested_ + L::choose(met, L::all(1.0), L::all(0.0));
+      see(number, t, point, bundle.closing_raise_m, met, above);
+    }
+  }
+
+  // Fragments at `point`, none of them behind what is seen already: sees those that pass, and
+  // returns their lanes. `above`: how far above the ground each is tested, NaN if there is none.
+  PLUMB_INLINE Mask see(std::uint32_t number, Real t, const Real* point, double raise_m, Mask asked,
+                        Real& above) {
+    const SliceBundle& bundle = scene_.bundles[number];
+    const Real lowered = point[2] - L::all(raise_m);
+    const Real least_z = L::all(bundle.least_z_m), greatest_z = L::all(bundle.greatest_z_m);
+    const Real z = L::choose(L::less(lowered, least_z), least_z,
+                             L::choose(L::less(greatest_z, lowered), greatest_z, lowered));
+    const Real ground = ground_m<L>(scene_.heights, point[0], point[1], asked);
+    above = z - ground;
+    const Mask passes = L::less_equal(z, ground);
+    const Real mine = L::all(static_cast<double>(number));
+    const Mask nearer =
+        L::both(passes, L::either(L::less(t, best_t_), L::less(mine, best_bundle_)));
+    best_t_ = L::choose(nearer, t, best_t_);
+    best_bundle_ = L::choose(nearer, mine, best_bundle_);
+    return passes;
+  }
+
+  const PacketScene& scene_;
+  Real eye_[3], direction_[3], inverse_[3];
+  Real across_;  // length of the direction's horizontal part
+  Mask live_;
+  Real best_t_, best_bundle_, tested_;
+  int east_, north_;
+};
+
+template <class L>
+void slice_packet_of(const PacketScene& scene, SlicePacket& packet) {
+  for (int first = 0; first < packet.count; first += L::kCount) {
+    LaneSlicer<L> slicer(scene, packet, first);
+    slicer.run();
+    slicer.store(packet, first);
+  }
+}
+
+#undef PLUMB_INLINE
+
+}  // namespace
+}  // namespace plumb::slicing
