@@ -22,15 +22,25 @@ using slicing::CutOptions;
 using slicing::SlicingCut;
 using slicing::Variant;
 
-// A flight around the terrain, a little above its highest place, towards its middle.
-Camera flight(const terrain::Heightfield& field, int frame, int frames, int width, int height) {
+// A circle around the terrain's middle, which the camera looks at; shares of the terrain's extent.
+struct Flight {
+  const char* name;
+  double radius, above_middle, fov_y_deg;
+};
+constexpr Flight kWide{"wide flight, 50 degrees", 0.4, 0.6, 50.0};
+constexpr Flight kNear{"near flight, 45 degrees", 0.25, 0.4, 45.0};
+
+Camera view_of(const Flight& flight, const terrain::Heightfield& field, int frame, int frames,
+               int width, int height) {
   const Box box = terrain::bounds(field);
   const glm::dvec3 middle = field.world_origin_m() + 0.5 * (box.low + box.high),
                    extent = box.high - box.low;
   const double turn = 2.0 * kPi * frame / frames;
   LookAt look;
-  look.eye_m = middle + glm::dvec3(0.4 * extent.x * reproducible_cos(turn),
-                                   0.4 * extent.y * reproducible_sin(turn), 0.6 * extent.z);
+  look.eye_m = middle + glm::dvec3(flight.radius * extent.x * reproducible_cos(turn),
+                                   flight.radius * extent.y * reproducible_sin(turn),
+                                   flight.above_middle * extent.z);
+  look.fov_y_deg = flight.fov_y_deg;
   look.target_m = middle - glm::dvec3(0.0, 0.0, 0.5 * extent.z);
   look.width_px = width;
   look.height_px = height;
@@ -67,16 +77,16 @@ double brute_force_s(const slicing::SlicingTree& tree, const Camera& camera,
   return cost_s;
 }
 
-void table(const slicing::SlicingTree& tree, Variant variant, int views) {
-  std::printf("\n%s, GeForce2 MX: averages of %d views\n",
-              variant == Variant::Published ? "published" : "conservative", views);
+void table(const slicing::SlicingTree& tree, Variant variant, const Flight& flight, int views) {
+  std::printf("\n%s, GeForce2 MX, %s: averages of %d views\n",
+              variant == Variant::Published ? "published" : "conservative", flight.name, views);
   std::printf(
       "    window   triangles    slices  frames/s  brute force  speed-up  optimum x  worst\n");
   const int windows[][2] = {{400, 300}, {512, 384}, {640, 480}, {800, 600}, {1024, 768}};
   for (const auto& [width, height] : windows) {
     Sums sums;
     for (int frame = 0; frame < views; ++frame) {
-      const Camera camera = relative_to(flight(tree.field(), frame, views, width, height),
+      const Camera camera = relative_to(view_of(flight, tree.field(), frame, views, width, height),
                                         tree.field().world_origin_m());
       CutOptions options;
       options.variant = variant;
@@ -108,7 +118,7 @@ void descent(const slicing::SlicingTree& tree, int views) {
     for (const double c : factors) {
       double sum = 0.0, worst = 0.0;
       for (int frame = 0; frame < views; ++frame) {
-        const Camera camera = relative_to(flight(tree.field(), frame, views, 800, 600),
+        const Camera camera = relative_to(view_of(kWide, tree.field(), frame, views, 800, 600),
                                           tree.field().world_origin_m());
         CutOptions options;
         options.variant = variant;
@@ -183,8 +193,11 @@ int main(int argc, char** argv) {
   const plumb::slicing::SlicingTree tree(plumb::bench::bench_terrain(),
                                          plumb::terrain::Diagonal::Alternating);
   if (views > 0) {
-    plumb::bench::table(tree, plumb::slicing::Variant::Published, views);
-    plumb::bench::table(tree, plumb::slicing::Variant::Conservative, views);
+    for (const auto variant :
+         {plumb::slicing::Variant::Published, plumb::slicing::Variant::Conservative}) {
+      for (const auto& flight : {plumb::bench::kWide, plumb::bench::kNear})
+        plumb::bench::table(tree, variant, flight, views);
+    }
     plumb::bench::descent(tree, views);
   }
   plumb::bench::beside_the_caster(tree);
