@@ -9,10 +9,18 @@ namespace {
 
 #define PLUMB_INLINE __attribute__((always_inline)) inline
 
-// HeightLookup::height_m, triangulated; NaN in lanes that are not asked for.
+// What lies below a place.
 template <class L>
-PLUMB_INLINE typename L::Real ground_m(const LaneHeights& h, typename L::Real x, typename L::Real y,
-                                       typename L::Mask asked) {
+struct Ground {
+  typename L::Real height_m;                // NaN where there is none
+  typename L::Real a, b;                    // place in the cell, 0 .. 1
+  typename L::Real sw_m, se_m, nw_m, ne_m;  // its corners
+};
+
+// HeightLookup::height_m, triangulated, in the lanes that are asked for.
+template <class L>
+PLUMB_INLINE Ground<L> ground_at(const LaneHeights& h, typename L::Real x, typename L::Real y,
+                                 typename L::Mask asked) {
   using Real = typename L::Real;
   const Real zero = L::all(0.0), one = L::all(1.0), rim = L::all(1e-9);
   const Real nothing = L::all(__builtin_nan(""));
@@ -21,7 +29,7 @@ PLUMB_INLINE typename L::Real ground_m(const LaneHeights& h, typename L::Real x,
   asked =
       L::both(asked, L::both(L::both(L::less_equal(zero - rim, u), L::less_equal(u, columns + rim)),
                              L::both(L::less_equal(zero - rim, v), L::less_equal(v, rows + rim))));
-  if (L::bits(asked) == 0) return nothing;
+  if (L::bits(asked) == 0) return {nothing, zero, zero, nothing, nothing, nothing, nothing};
   u = L::least(L::greatest(u, zero), columns);
   v = L::least(L::greatest(v, zero), rows);
   const Real i = L::least(L::floor(u), columns - one), j = L::least(L::floor(v), rows - one);
@@ -38,7 +46,7 @@ PLUMB_INLINE typename L::Real ground_m(const LaneHeights& h, typename L::Real x,
                                 (one - b) * sw + a * ne + (b - a) * nw);
   const Real falling = L::choose(south_west, (one - a - b) * sw + a * se + b * nw,
                                  (one - b) * se + (a + b - one) * ne + (one - a) * nw);
-  return L::choose(asked, L::choose(rises, rising, falling), nothing);
+  return {L::choose(asked, L::choose(rises, rising, falling), nothing), a, b, sw, se, nw, ne};
 }
 
 // One ray a lane.
@@ -167,27 +175,71 @@ class LaneSlicer {
       run.last = L::all(run.origin) - low;
     }
     open = find_ends(run, open);
-    // More than a ray's height above the ground may change from one plane to the next.
-    const Real change = L::all(bundle.spacing_m * 1.000000001) *
-                        (L::all(bundle.steepest) * across_ + L::magnitude(direction_[2])) *
-                        L::magnitude(inverse_[n]);
-    const Real planes_per_m = one / change;
-    const Real slack = L::all(scene_.rounding_m * (1.0 + bundle.steepest));
+    const Strides strides = strides_in(bundle, n);
     Real place = run.first;
     while (L::bits(open) != 0) {
-      Real t, point[3], above;
+      Real t, point[3], z;
+      Ground<L> ground;
       meet_quad(bundle, n, run.plane_m(place), t, point);
-      const Mask passes = see(number, t, point, bundle.raise_m, open, above);
+      const Mask passes = see(number, t, point, bundle.raise_m, open, z, ground);
       tested_ = tested_ + L::choose(passes, place - run.first + one, L::all(0.0));
       open = L::without(open, passes);
-      // Where nothing is known, the next plane: of a number and none, `greatest` takes its second.
-      const Real ahead = L::least(L::greatest((above - slack) * planes_per_m, one), L::all(1e9));
-      place = place - L::floor(L::all(0.0) - ahead);
+      place = place + planes_ahead(strides, z, ground);
       const Mask left = L::less_equal(place, run.last);
       tested_ =
           tested_ + L::choose(L::without(open, left), run.last - run.first + one, L::all(0.0));
       open = L::both(open, left);
     }
+  }
+
+  // How a ray moves from one plane of a bundle to the next, and how far above the ground it may be
+  // to meet it there.
+  struct Strides {
+    Real planes_per_m;  // fewer than take it to the ground from a metre above, on any slope
+    Real slack_m;
+    Real columns, rows, up_m;            // moved
+    Real planes_a_column, planes_a_row;  // that it takes to cross a cell
+    Mask east, north;
+  };
+
+  PLUMB_INLINE Strides strides_in(const SliceBundle& bundle, int n) const {
+    const Real one = L::all(1.0), zero = L::all(0.0);
+    const Real t = L::all(bundle.spacing_m) * L::magnitude(inverse_[n]);
+    Strides s;
+    s.planes_per_m = L::all(0.999999999) /
+                     (t * (L::all(bundle.steepest) * across_ + L::magnitude(direction_[2])));
+    s.slack_m = L::all(scene_.rounding_m * (1.0 + bundle.steepest));
+    s.columns = t * direction_[0] * L::all(scene_.heights.columns_per_m);
+    s.rows = t * direction_[1] * L::all(scene_.heights.rows_per_m);
+    s.up_m = t * direction_[2];
+    s.planes_a_column = one / L::magnitude(s.columns);
+    s.planes_a_row = one / L::magnitude(s.rows);
+    s.east = L::less(zero, direction_[0]);
+    s.north = L::less(zero, direction_[1]);
+    return s;
+  }
+
+  // Planes to the next one that may pass, at least one. Where something is not known: of a number
+  // and none, `greatest` and `least` take their second.
+  PLUMB_INLINE Real planes_ahead(const Strides& s, Real z, const Ground<L>& ground) const {
+    const Real one = L::all(1.0), zero = L::all(0.0);
+    const Real above = z - ground.height_m;
+    const Real by_slope = L::greatest((above - s.slack_m) * s.planes_per_m, one);
+    // In its cell the ground rises no more than the steeper of the edges on either side.
+    const Real south = ground.se_m - ground.sw_m, north = ground.ne_m - ground.nw_m,
+               west = ground.nw_m - ground.sw_m, east = ground.ne_m - ground.se_m;
+    const Real rise = L::greatest(south * s.columns, north * s.columns) +
+                      L::greatest(west * s.rows, east * s.rows) - s.up_m;
+    const Real spread =
+        L::magnitude(south) + L::magnitude(north) + L::magnitude(west) + L::magnitude(east);
+    const Real slack = L::all(scene_.rounding_m) + L::all(1e-9) * spread;
+    const Real to_ground = (above - slack) / L::greatest(rise, L::all(1e-300));
+    const Real column = L::choose(s.east, one - ground.a, ground.a) * s.planes_a_column,
+               row = L::choose(s.north, one - ground.b, ground.b) * s.planes_a_row;
+    const Real to_rim = L::least(column, row) - L::all(1e-6);
+    const Real by_cell = L::greatest(L::least(to_rim, to_ground), one);
+    const Real ahead = L::least(L::greatest(by_slope, by_cell), L::all(1e9));
+    return zero - L::floor(zero - ahead);
   }
 
   // Cuts each lane's planes to those that it meets on their quads and not behind what is seen
@@ -242,27 +294,27 @@ class LaneSlicer {
     const double *low = &bundle.reach.low.x, *high = &bundle.reach.high.x;
     for (int quad = 0; quad < 5; ++quad) {
       const int n = quad / 2;
-      Real t, point[3], above;
+      Real t, point[3], z;
+      Ground<L> ground;
       const Mask met =
           L::both(asked, meet_quad(bundle, n, L::all(quad % 2 == 0 ? low[n] : high[n]), t, point));
       if (L::bits(met) == 0) continue;
       tested_ = tested_ + L::choose(met, L::all(1.0), L::all(0.0));
-      see(number, t, point, bundle.closing_raise_m, met, above);
+      see(number, t, point, bundle.closing_raise_m, met, z, ground);
     }
   }
 
   // Fragments at `point`, none of them behind what is seen already: sees those that pass, and
-  // returns their lanes. `above`: how far above the ground each is tested, NaN if there is none.
+  // returns their lanes. They are tested at height z.
   PLUMB_INLINE Mask see(std::uint32_t number, Real t, const Real* point, double raise_m, Mask asked,
-                        Real& above) {
+                        Real& z, Ground<L>& ground) {
     const SliceBundle& bundle = scene_.bundles[number];
     const Real lowered = point[2] - L::all(raise_m);
     const Real least_z = L::all(bundle.least_z_m), greatest_z = L::all(bundle.greatest_z_m);
-    const Real z = L::choose(L::less(lowered, least_z), least_z,
-                             L::choose(L::less(greatest_z, lowered), greatest_z, lowered));
-    const Real ground = ground_m<L>(scene_.heights, point[0], point[1], asked);
-    above = z - ground;
-    const Mask passes = L::less_equal(z, ground);
+    z = L::choose(L::less(lowered, least_z), least_z,
+                  L::choose(L::less(greatest_z, lowered), greatest_z, lowered));
+    ground = ground_at<L>(scene_.heights, point[0], point[1], asked);
+    const Mask passes = L::less_equal(z, ground.height_m);
     const Real mine = L::all(static_cast<double>(number));
     const Mask nearer =
         L::both(passes, L::either(L::less(t, best_t_), L::less(mine, best_bundle_)));
