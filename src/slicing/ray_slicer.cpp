@@ -1,6 +1,7 @@
 #include "slicing/ray_slicer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -104,11 +105,19 @@ class PacketSlicer {
 
   // The rays of pixels side by side, whose directions and their inverses the packet has.
   void cast(const Camera& camera, const PixelBlock& block, SlicePacket& packet) const {
-    if (in_lanes_ && agree(packet)) {
+    std::array<int, SlicePacket::kMost> kind;
+    bool alike = in_lanes_;
+    for (int k = 0; k < packet.count; ++k) {
+      kind[static_cast<std::size_t>(k)] = in_lanes_ ? kind_of(packet, k) : kAlone;
+      alike = alike && kind[static_cast<std::size_t>(k)] == kind[0];
+    }
+    if (alike && kind[0] != kAlone) {
       slice_packets_(scene_, packet);
       return;
     }
+    for (int quadrant = 0; quadrant < kAlone; ++quadrant) cast_some(kind, quadrant, packet);
     block.for_each([&](int k, int x, int y) {
+      if (kind[static_cast<std::size_t>(k)] != kAlone) return;
       packet.tested[k] = 0;
       const SliceHit hit = one_by_one_.cast(SliceRay(camera, x, y), packet.tested[k]);
       packet.t[k] = hit.t;
@@ -127,16 +136,36 @@ class PacketSlicer {
     return std::ldexp(greatest_m, -45);
   }
 
-  static bool agree(const SlicePacket& packet) {
-    const bool west = packet.direction[0][0] < 0.0, south = packet.direction[1][0] < 0.0;
-    bool agree = true;
-    for (int k = 0; k < packet.count; ++k) {
-      agree = agree && (packet.direction[0][k] < 0.0) == west &&
-              (packet.direction[1][k] < 0.0) == south;
-      for (int axis = 0; axis < 3; ++axis)
-        agree = agree && std::abs(packet.direction[axis][k]) >= SlicePacket::kStill;
+  // The quadrant that a ray runs to, 0 .. 3; kAlone if lanes are not for it.
+  static constexpr int kAlone = 4;
+  static int kind_of(const SlicePacket& packet, int k) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::abs(packet.direction[axis][k]) < SlicePacket::kStill) return kAlone;
     }
-    return agree;
+    return (packet.direction[0][k] < 0.0 ? 1 : 0) + (packet.direction[1][k] < 0.0 ? 2 : 0);
+  }
+
+  // Those of the packet's rays that are of one kind.
+  void cast_some(const std::array<int, SlicePacket::kMost>& kind, int wanted,
+                 SlicePacket& packet) const {
+    std::array<int, SlicePacket::kMost> from;
+    SlicePacket some;
+    for (int k = 0; k < packet.count; ++k) {
+      if (kind[static_cast<std::size_t>(k)] != wanted) continue;
+      for (int axis = 0; axis < 3; ++axis) {
+        some.direction[axis][some.count] = packet.direction[axis][k];
+        some.inverse[axis][some.count] = packet.inverse[axis][k];
+      }
+      from[static_cast<std::size_t>(some.count++)] = k;
+    }
+    if (some.count == 0) return;
+    slice_packets_(scene_, some);
+    for (int k = 0; k < some.count; ++k) {
+      const int to = from[static_cast<std::size_t>(k)];
+      packet.t[to] = some.t[k];
+      packet.bundle[to] = some.bundle[k];
+      packet.tested[to] = some.tested[k];
+    }
   }
 
   RaySlicer one_by_one_;
