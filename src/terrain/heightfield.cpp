@@ -37,8 +37,9 @@ Box bounds(const Heightfield& field) {
   const Range range = parallel_ordered_reduce(
       field.rows(), 64, kNone,
       [&](std::int64_t begin, std::int64_t end, Range found) {
+        std::vector<float> buffer;
         for (std::int64_t j = begin; j < end; ++j) {
-          for (const float height : field.heights_m.row(static_cast<int>(j))) {
+          for (const float height : field.heights_m.row(static_cast<int>(j), buffer)) {
             found.low = height < found.low ? height : found.low;  // false for NaN
             found.high = height > found.high ? height : found.high;
           }
@@ -62,9 +63,10 @@ std::uint64_t checksum(const Heightfield& field) {
   sum.add(field.dx_m).add(field.dy_m).add(field.origin_m.x).add(field.origin_m.y);
   constexpr std::uint32_t kVoid = 0x7fc00000u;  // every NaN counts as the same one
   std::vector<std::uint32_t> bits;
+  std::vector<float> buffer;
   for (int j = 0; j < field.rows(); ++j) {
     bits.clear();
-    for (const float height : field.heights_m.row(j)) {
+    for (const float height : field.heights_m.row(j, buffer)) {
       bits.push_back(std::isnan(height) ? kVoid : std::bit_cast<std::uint32_t>(height));
     }
     sum.add(std::span<const std::uint32_t>(bits));
@@ -85,9 +87,13 @@ void require_valid(const Heightfield& field) {
               (std::int64_t{1} << 31) - 1,
           "a heightfield may have at most 2^31 - 2 cells, got {} x {} samples", field.columns(),
           field.rows());
-  for (const float height : field.heights_m.values()) {
-    if (std::isinf(height))
-      throw std::invalid_argument("a height must be finite or NaN (void), got an infinite one");
+  if (field.heights_m.is_coded()) return;  // no code stands for an infinite height
+  std::vector<float> none;
+  for (int j = 0; j < field.rows(); ++j) {
+    for (const float height : field.heights_m.row(j, none)) {
+      if (std::isinf(height))
+        throw std::invalid_argument("a height must be finite or NaN (void), got an infinite one");
+    }
   }
 }
 
