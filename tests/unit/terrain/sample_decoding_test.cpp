@@ -59,8 +59,13 @@ Heightfield built(const SampleCoding& coding, const std::vector<double>& stored,
   return builder.finish();
 }
 
-constexpr SampleCoding kInt16{.stored_as = SampleType::Int16};
-constexpr SampleCoding kUint16{.stored_as = SampleType::Uint16};
+SampleCoding stored_as(SampleType type) {
+  SampleCoding coding;
+  coding.stored_as = type;
+  return coding;
+}
+const SampleCoding kInt16 = stored_as(SampleType::Int16);
+const SampleCoding kUint16 = stored_as(SampleType::Uint16);
 
 TEST(HeightfieldBuilder, KeepsWholeNumbersOf16BitsAsCodes) {
   const Heightfield signs = built(kInt16, {-32768, 0, 32767});
