@@ -38,9 +38,9 @@ struct OfCodes {
 
   void add(Sum& sum, std::size_t sample) const { add(sum, Range{codes[sample], codes[sample]}); }
   void add(Sum& sum, const Range& range) const {
-    if (range.low == void_code) return;
-    sum.low = std::min(sum.low, int{range.low});
-    sum.high = std::max(sum.high, int{range.high});
+    const bool empty = range.low == void_code;
+    sum.low = std::min(sum.low, empty ? kNone.low : range.low);
+    sum.high = std::max(sum.high, empty ? kNone.high : range.high);
   }
   // Nothing is empty unless there are voids, and then they have a code.
   Range range_of(const Sum& sum) const {

@@ -28,27 +28,49 @@ Diagonal parse_diagonal(const std::string& text) {
   input_error("diagonal '{}': expected alternating, fixed or blocks:8", text);
 }
 
-Box bounds(const Heightfield& field) {
-  struct Range {
-    float low, high;
-  };
-  constexpr Range kNone{std::numeric_limits<float>::infinity(),
-                        -std::numeric_limits<float>::infinity()};
-  const Range range = parallel_ordered_reduce(
-      field.rows(), 64, kNone,
-      [&](std::int64_t begin, std::int64_t end, Range found) {
-        std::vector<float> buffer;
+namespace {
+
+template <class Value>
+struct Range {
+  Value low, high;
+};
+
+// Least and greatest value; `none` where all are void.
+template <class Value, class IsVoid>
+Range<Value> range_of(const Grid<Value>& values, Range<Value> none, const IsVoid& is_void) {
+  return parallel_ordered_reduce(
+      values.rows(), 64, none,
+      [&](std::int64_t begin, std::int64_t end, Range<Value> found) {
         for (std::int64_t j = begin; j < end; ++j) {
-          for (const float height : field.heights_m.row(static_cast<int>(j), buffer)) {
-            found.low = height < found.low ? height : found.low;  // false for NaN
-            found.high = height > found.high ? height : found.high;
+          for (const Value value : values.row(static_cast<int>(j))) {
+            if (is_void(value)) continue;
+            found.low = std::min(found.low, value);
+            found.high = std::max(found.high, value);
           }
         }
         return found;
       },
-      [](Range a, Range b) {
-        return Range{std::min(a.low, b.low), std::max(a.high, b.high)};
+      [](Range<Value> a, Range<Value> b) {
+        return Range<Value>{std::min(a.low, b.low), std::max(a.high, b.high)};
       });
+}
+
+Range<float> range_of(const HeightGrid& heights_m) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  constexpr Range<float> kNone{kInfinity, -kInfinity};
+  if (!heights_m.is_coded())
+    return range_of(*heights_m.as_floats(), kNone, [](float height) { return std::isnan(height); });
+  const HeightCoding& coding = heights_m.coding();
+  const auto codes = range_of(*heights_m.as_codes(), Range<std::uint16_t>{65535, 0},
+                              [&](std::uint16_t code) { return code == coding.void_code; });
+  if (codes.low > codes.high) return kNone;
+  return {coding.height_m(codes.low), coding.height_m(codes.high)};
+}
+
+}  // namespace
+
+Box bounds(const Heightfield& field) {
+  const Range<float> range = range_of(field.heights_m);
   Box box;
   if (range.low <= range.high) {
     box.low = {0.0, 0.0, range.low};

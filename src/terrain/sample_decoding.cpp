@@ -44,17 +44,18 @@ std::uint16_t void_code(const HeightCoding& coding) {
   return static_cast<std::uint16_t>(coding.void_code);
 }
 
-// The codes of a row and whether a height among them has the code of a void.
+// The codes of a row of whole numbers of 16 bits, and whether a height among them has the code of a
+// void.
 bool encode(std::span<const double> stored, std::span<const float> heights_m,
             const HeightCoding& coding, std::span<std::uint16_t> codes) {
-  bool uses_void_code = false;
+  int uses_void_code = 0;  // no branches: for compilers that work in lanes
   for (std::size_t k = 0; k < stored.size(); ++k) {
-    codes[k] = void_code(coding);
-    if (std::isnan(heights_m[k])) continue;
-    codes[k] = static_cast<std::uint16_t>(stored[k] - coding.first);
-    uses_void_code = uses_void_code || codes[k] == coding.void_code;
+    const int is_void = std::isnan(heights_m[k]) ? 1 : 0;
+    const int code = static_cast<int>(stored[k]) - coding.first;
+    codes[k] = static_cast<std::uint16_t>(is_void != 0 ? coding.void_code : code);
+    uses_void_code |= (code == coding.void_code ? 1 : 0) & (1 - is_void);
   }
-  return uses_void_code;
+  return uses_void_code != 0;
 }
 
 }  // namespace
