@@ -31,10 +31,9 @@ void pyramid_build(benchmark::State& state) {
     const reference::PyramidCaster caster(bench_terrain(), terrain::Diagonal::Alternating);
     benchmark::DoNotOptimize(caster.pyramid().root());
   });
-  state.counters["bytes_per_triangle"] =
-      (static_cast<double>(pyramid().bytes()) +
-       static_cast<double>(bench_terrain().heights_m.size() * sizeof(float))) /
-      triangles_of(bench_terrain());
+  state.counters["bytes_per_triangle"] = (static_cast<double>(pyramid().bytes()) +
+                                          static_cast<double>(bench_terrain().heights_m.bytes())) /
+                                         triangles_of(bench_terrain());
 }
 
 void pyramid_frame(benchmark::State& state, const char* preset, InstructionSet set) {

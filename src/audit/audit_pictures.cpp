@@ -17,7 +17,7 @@ image::Rgb8Image shaded(const HitImage& hits, const std::vector<glm::dvec3>& nor
                         bool two_sided = true) {
   raster::ShadeOptions options;
   options.two_sided = two_sided;
-  const reference::HeightRange& range = truth.caster.pyramid().root();
+  const reference::HeightRange range = truth.caster.pyramid().root();
   if (!range.empty()) {
     options.low_m = range.low;
     options.high_m = range.high;

@@ -17,8 +17,8 @@ bool has_voids(const terrain::Heightfield& field) {
       field.rows(), 16, false,
       [&](std::int64_t begin, std::int64_t end, bool found) {
         for (std::int64_t j = begin; j < end && !found; ++j) {
-          for (const float height : field.heights_m.row(static_cast<int>(j)))
-            found = found || std::isnan(height);
+          for (int i = 0; i < field.columns(); ++i)
+            found = found || field.is_void(i, static_cast<int>(j));
         }
         return found;
       },

@@ -71,8 +71,8 @@ class BandCover {
         triangle_(heights_m_.size(), -1.0),
         sheets_(heights_m_.size(), 0.0) {
     for (int j = rows.first; j <= rows.last; ++j) {
-      const auto heights = field.heights_m.row(j);
-      std::copy(heights.begin(), heights.end(), heights_m_.begin() + offset(j));
+      float* row = heights_m_.data() + offset(j);
+      for (int i = 0; i < field.columns(); ++i) row[i] = field.heights_m(i, j);
     }
   }
 

@@ -48,6 +48,7 @@ struct Avx2Lanes {
   static Real greatest(Real a, Real b) { return _mm256_max_pd(a, b); }
   static Real root(Real a) { return _mm256_sqrt_pd(a); }
   static Real magnitude(Real a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a); }
+  static Real to_float(Real x) { return _mm256_cvtps_pd(_mm256_cvtpd_ps(x)); }
   static Real floor(Real x) { return _mm256_floor_pd(x); }
 
   static Mask less(Real a, Real b) { return _mm256_cmp_pd(a, b, _CMP_LT_OQ); }
@@ -99,6 +100,19 @@ struct Avx2Lanes {
         _mm256_permutevar8x32_epi32(pairs, _mm256_setr_epi32(0, 2, 4, 6, 1, 3, 5, 7));
     return {_mm256_cvtps_pd(_mm_castsi128_ps(_mm256_castsi256_si128(apart))),
             _mm256_cvtps_pd(_mm_castsi128_ps(_mm256_extracti128_si256(apart, 1)))};
+  }
+  template <int kStride>
+  static Pair gather(const std::uint16_t* base, Real index, Mask m, int more) {
+    const __m256i even = _mm256_setr_epi32(0, 2, 4, 6, 0, 2, 4, 6);
+    const __m256i narrow = _mm256_permutevar8x32_epi32(_mm256_castpd_si256(m), even);
+    const __m128i pairs = _mm_mask_i32gather_epi32(
+        _mm_setzero_si128(), reinterpret_cast<const int*>(base), _mm256_cvttpd_epi32(index),
+        _mm256_castsi256_si128(narrow), kStride * 2);
+    const __m128i plus = _mm_set1_epi32(more);
+    const __m128i first = _mm_and_si128(pairs, _mm_set1_epi32(0xffff));
+    const __m128i second = _mm_srli_epi32(pairs, 16);
+    return {_mm256_cvtepi32_pd(_mm_add_epi32(first, plus)),
+            _mm256_cvtepi32_pd(_mm_add_epi32(second, plus))};
   }
 };
 

@@ -51,6 +51,7 @@ struct Avx512Lanes {
   static Real greatest(Real a, Real b) { return _mm512_max_pd(a, b); }
   static Real root(Real a) { return _mm512_sqrt_pd(a); }
   static Real magnitude(Real a) { return _mm512_abs_pd(a); }
+  static Real to_float(Real x) { return _mm512_cvtps_pd(_mm512_cvtpd_ps(x)); }
   static Real floor(Real x) {
     return _mm512_roundscale_pd(x, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC);
   }
@@ -89,6 +90,16 @@ struct Avx512Lanes {
     const __m256i second = _mm512_cvtepi64_epi32(_mm512_srli_epi64(pairs, 32));
     return {_mm512_cvtps_pd(_mm256_castsi256_ps(first)),
             _mm512_cvtps_pd(_mm256_castsi256_ps(second))};
+  }
+  template <int kStride>
+  static Pair gather(const std::uint16_t* base, Real index, Mask m, int more) {
+    const __m256i pairs = _mm256_mmask_i32gather_epi32(
+        _mm256_setzero_si256(), m, _mm512_cvttpd_epi32(index), base, kStride * 2);
+    const __m256i plus = _mm256_set1_epi32(more);
+    const __m256i first = _mm256_and_si256(pairs, _mm256_set1_epi32(0xffff));
+    const __m256i second = _mm256_srli_epi32(pairs, 16);
+    return {_mm512_cvtepi32_pd(_mm256_add_epi32(first, plus)),
+            _mm512_cvtepi32_pd(_mm256_add_epi32(second, plus))};
   }
 };
 

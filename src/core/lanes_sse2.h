@@ -50,6 +50,8 @@ struct Sse2Lanes {
   static Real greatest(Real a, Real b) { return _mm_max_pd(a, b); }
   static Real root(Real a) { return _mm_sqrt_pd(a); }
   static Real magnitude(Real a) { return _mm_andnot_pd(_mm_set1_pd(-0.0), a); }
+  /// The nearest floats, as doubles.
+  static Real to_float(Real x) { return _mm_cvtps_pd(_mm_cvtpd_ps(x)); }
   /// Largest integer <= x, for |x| < 2^51.
   static Real floor(Real x) {
     const Real shift = all(6755399441055744.0);  // 1.5 * 2^52: adding it rounds to an integer
@@ -111,6 +113,19 @@ struct Sse2Lanes {
       second[lane] = pair[1];
     }
     return {_mm_set_pd(first[1], first[0]), _mm_set_pd(second[1], second[0])};
+  }
+  /// The same of whole numbers of 16 bits, each plus `more`.
+  template <int kStride>
+  static Pair gather(const std::uint16_t* base, Real index, Mask m, int more) {
+    double at[kCount], first[kCount] = {}, second[kCount] = {};
+    store(at, index);
+    for (unsigned left = bits(m); left; left &= left - 1) {
+      const int lane = __builtin_ctz(left);
+      const std::uint16_t* pair = base + static_cast<std::int64_t>(at[lane]) * kStride;
+      first[lane] = pair[0] + more;
+      second[lane] = pair[1] + more;
+    }
+    return {load(first), load(second)};
   }
 };
 

@@ -46,7 +46,7 @@ struct Thick {
     cut(span, v, low.y, high.y, j * side - limits.place_slack, (j + 1) * side + limits.place_slack);
     if (span.empty()) return span;
     span = {span.first * (1.0 - kFewRoundings), span.last * (1.0 + kFewRoundings)};
-    const HeightRange& range = pyramid.node(level, i, j);
+    const HeightRange range = pyramid.node(level, i, j);
     const double lowest = z + std::min(span.first * low.z, span.last * low.z);
     const double highest = z + std::max(span.first * high.z, span.last * high.z);
     const bool passes = range.empty() || lowest - 2.0 * limits.height_slack > range.high ||

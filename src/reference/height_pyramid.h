@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "terrain/heightfield.h"
@@ -15,10 +16,20 @@ struct HeightRange {
   bool empty() const { return !(low <= high); }
 };
 
+inline constexpr HeightRange kEmptyRange{std::numeric_limits<float>::infinity(),
+                                         -std::numeric_limits<float>::infinity()};
+
+/// The same by the terrain's own codes, both of a void where every sample is one.
+struct CodeRange {
+  std::uint16_t low;
+  std::uint16_t high;
+};
+
 /// Level k >= 1 has a node for each square of 2^k x 2^k cells, counted from the south-west; a
 /// node's samples are the (2^k + 1)^2 that its cells touch. Level 0 are the cells themselves and is
 /// not stored: 8 bytes for every 4 cells, and a third more for all the coarser levels together,
-/// which is 1.33 bytes a triangle. The top level has a single node.
+/// which is 1.33 bytes a triangle; half of that where the terrain's heights are codes of 16 bits,
+/// as the ranges are then too. The top level has a single node.
 ///
 /// A pyramid of a terrain without cells has one empty node.
 class HeightPyramid {
@@ -28,16 +39,18 @@ class HeightPyramid {
   int top_level() const { return static_cast<int>(levels_.size()); }
   int columns(int level) const { return of(level).columns; }
   int rows(int level) const { return of(level).rows; }
-  const HeightRange& node(int level, int i, int j) const {
+  HeightRange node(int level, int i, int j) const {
     const Level& l = of(level);
-    return ranges_[l.begin + static_cast<std::size_t>(j) * static_cast<std::size_t>(l.columns) +
-                   static_cast<std::size_t>(i)];
+    return range(l.begin + static_cast<std::size_t>(j) * static_cast<std::size_t>(l.columns) +
+                 static_cast<std::size_t>(i));
   }
-  const HeightRange& root() const { return ranges_.back(); }
+  HeightRange root() const { return range(levels_.back().begin); }
   std::int64_t bytes() const;
 
-  /// All nodes, level 1 first, row by row; and where a level's begin.
-  const std::vector<HeightRange>& nodes() const { return ranges_; }
+  /// All nodes, level 1 first, row by row, null where they are kept the other way; and where a
+  /// level's begin.
+  const HeightRange* ranges() const { return ranges_.empty() ? nullptr : ranges_.data(); }
+  const CodeRange* codes() const { return codes_.empty() ? nullptr : codes_.data(); }
   std::size_t begin(int level) const { return of(level).begin; }
 
  private:
@@ -46,16 +59,17 @@ class HeightPyramid {
     int columns, rows;
   };
   const Level& of(int level) const { return levels_[static_cast<std::size_t>(level) - 1]; }
-  HeightRange& at(const Level& level, int i, int j) {
-    return ranges_[level.begin +
-                   static_cast<std::size_t>(j) * static_cast<std::size_t>(level.columns) +
-                   static_cast<std::size_t>(i)];
+  HeightRange range(std::size_t k) const {
+    if (codes_.empty()) return ranges_[k];
+    const CodeRange& range = codes_[k];
+    if (range.low == coding_.void_code) return kEmptyRange;
+    return {coding_.height_m(range.low), coding_.height_m(range.high)};
   }
   void lay_out(int cell_columns, int cell_rows);
-  void fill_finest(const terrain::Heightfield& field);
-  void fill_coarser(const Level& fine, const Level& coarse);
 
-  std::vector<HeightRange> ranges_;
+  std::vector<HeightRange> ranges_;  // one of these two is empty
+  std::vector<CodeRange> codes_;
+  terrain::HeightCoding coding_;
   std::vector<Level> levels_;  // levels_[k - 1] is level k
 };
 

@@ -77,7 +77,7 @@ Node make_node(const Query& query, const Heightfield& field, const HeightPyramid
             j1 = std::min((j + 1) << level, field.cell_rows());
   double up = 0.0;
   if (level > 0) {
-    const HeightRange& range = pyramid.node(level, i, j);
+    const HeightRange range = pyramid.node(level, i, j);
     up = range.empty() ? kInfinity : outside(query.point.z, range.low, range.high);
   }
   return {level, i, j,

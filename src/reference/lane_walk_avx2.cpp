@@ -4,7 +4,7 @@
 namespace plumb::reference {
 
 void walk_lanes_avx2(const LaneScene& scene, LaneRays& rays) {
-  LaneWalker<Avx2Lanes>(scene, rays).run();
+  walk_in_lanes<Avx2Lanes>(scene, rays);
 }
 
 }  // namespace plumb::reference

@@ -4,7 +4,7 @@
 namespace plumb::reference {
 
 void walk_lanes_avx512(const LaneScene& scene, LaneRays& rays) {
-  LaneWalker<Avx512Lanes>(scene, rays).run();
+  walk_in_lanes<Avx512Lanes>(scene, rays);
 }
 
 }  // namespace plumb::reference

@@ -3,36 +3,25 @@
 // lest the linker give everybody a copy for the newest processor.
 #pragma once
 
-#include "reference/lane_walk.h"
+#define PLUMB_INLINE __attribute__((always_inline)) inline
+
+#include "reference/lane_heights.h"
+#include "reference/lane_ready.h"
 
 namespace plumb::reference {
 namespace {
 
-#define PLUMB_INLINE __attribute__((always_inline)) inline
-
-template <class L>
+template <class L, class Heights>
 class LaneWalker {
   using Real = typename L::Real;
   using Mask = typename L::Mask;
 
-  static constexpr double kInfinity = __builtin_inf();
-  static constexpr double kFewRoundings = 8.0 * 2.220446049250313e-16;
-  static constexpr double kStill = 1e-30;             // as the careful walk has it
   static constexpr double kTag = 4503599627370496.0;  // 2^52: levels are kept as kTag + level
   // Two sets of rays are under way, so that one computes while the other waits for memory.
   static constexpr int kSets = 2;
   // Lanes that wait before new rays are fetched, and before cells are looked at.
   static constexpr int kRefillAt = L::kCount >= 8 ? 2 : 1;
   static constexpr int kCellsAt = L::kCount >= 8 ? 3 : L::kCount / 2;
-
-  // Rays made ready, in units of cells.
-  struct Prepared {
-    double du[LaneRays::kPadded], dv[LaneRays::kPadded], dz[LaneRays::kPadded];
-    double inverse_du[LaneRays::kPadded], inverse_dv[LaneRays::kPadded];
-    double begin[LaneRays::kPadded];  // where the walk begins and ends
-    double end[LaneRays::kPadded];
-    double t_low[LaneRays::kPadded];  // least t that counts
-  };
 
   // Rays under way: each lane in a node, entered at t.
   struct Walkers {
@@ -69,7 +58,8 @@ class LaneWalker {
 
   const LaneScene& scene_;
   LaneRays& rays_;
-  Prepared ready_;
+  const Heights heights_{scene_};
+  ReadyRays ready_;
   int next_ = 0;
   const Real zero_ = L::all(0.0), half_ = L::all(0.5), one_ = L::all(1.0);
   const Real u_ = L::all(scene_.u), v_ = L::all(scene_.v), z_ = L::all(scene_.z);
@@ -80,50 +70,6 @@ class LaneWalker {
 
   PLUMB_INLINE Real between(Real x, Real low, Real high) const {
     return L::least(L::greatest(x, low), high);
-  }
-
-  PLUMB_INLINE void prepare(int k) {
-    const Real du = L::load(rays_.direction_x + k) / L::all(scene_.dx_m);
-    const Real dv = L::load(rays_.direction_y + k) / L::all(scene_.dy_m);
-    const Real dz = L::load(rays_.direction_z + k);
-    const Real size_u = L::magnitude(du), size_v = L::magnitude(dv);
-    const Real still = L::all(kStill) * L::greatest(L::greatest(size_u, size_v), L::magnitude(dz));
-    const Mask along_grid =
-        L::either(L::either(L::less(size_u, still), L::less(size_v, still)), L::equal(dz, zero_));
-    const Real inverse_du = one_ / du, inverse_dv = one_ / dv;
-
-    const Real a = (L::all(scene_.lowest) - z_) / dz, b = (L::all(scene_.highest) - z_) / dz;
-    const Real slack = L::all(kFewRoundings) * L::greatest(L::magnitude(a), L::magnitude(b));
-    const Real t_low = L::greatest(L::all(scene_.t_min), L::least(a, b) - slack);
-    const Real t_high = L::least(L::all(scene_.t_max), L::greatest(a, b) + slack);
-    const Real west = (zero_ - u_) * inverse_du,
-               east = (L::all(scene_.cell_columns) - u_) * inverse_du;
-    const Real south = (zero_ - v_) * inverse_dv,
-               north = (L::all(scene_.cell_rows) - v_) * inverse_dv;
-    const Real begin = L::greatest(L::greatest(L::least(west, east), L::least(south, north)),
-                                   L::greatest(t_low, L::all(rays_.t_begin)));
-    const Real end = L::least(L::least(L::greatest(west, east), L::greatest(south, north)), t_high);
-
-    // A ray that only touches the surface's box.
-    const Mask touches =
-        L::less_equal(L::magnitude(end - begin),
-                      L::all(kFewRoundings) * L::greatest(L::magnitude(begin), L::magnitude(end)));
-    const Mask undecided = L::either(along_grid, touches);
-
-    L::store(ready_.du + k, du);
-    L::store(ready_.dv + k, dv);
-    L::store(ready_.dz + k, dz);
-    L::store(ready_.inverse_du + k, inverse_du);
-    L::store(ready_.inverse_dv + k, inverse_dv);
-    L::store(ready_.begin + k, begin);
-    L::store(ready_.end + k, L::choose(undecided, L::all(-kInfinity), end));
-    L::store(ready_.t_low + k, t_low);
-    const unsigned marks = L::bits(undecided);
-    for (int lane = 0; lane < L::kCount; ++lane) {
-      rays_.undecided[k + lane] = (marks >> lane & 1u) != 0;
-      rays_.t[k + lane] = rays_.undecided[k + lane] ? -kInfinity : kInfinity;
-      rays_.triangle[k + lane] = 0xffffffffu;
-    }
   }
 
   // Gives idle lanes the next rays.
@@ -172,7 +118,7 @@ class LaneWalker {
     const Real index =
         L::look_up(level_begin_, w.level) +
         (w.y * L::look_up(level_row_, w.level) + w.x * L::look_up(level_column_, w.level));
-    const auto range = L::template gather<2>(scene_.ranges, index, nodes);
+    const auto range = heights_.range(index, nodes);
     const Real z_in = z_ + w.t * w.dz, z_out = z_ + exit.t * w.dz;
     const Mask over = L::less(range.second, L::least(z_in, z_out) - height_slack_);
     const Mask under = L::less(L::greatest(z_in, z_out) + height_slack_, range.first);
@@ -182,9 +128,8 @@ class LaneWalker {
   // The same of cells, by their four corners. A void compares as nothing.
   PLUMB_INLINE Mask pass_by_cell(const Walkers& w, const Exit& exit, Mask cells) const {
     const Real index = w.y * L::all(scene_.columns) + w.x;
-    const float* north_row = scene_.heights + static_cast<std::int64_t>(scene_.columns);
-    const auto south = L::template gather<1>(scene_.heights, index, cells);
-    const auto north = L::template gather<1>(north_row, index, cells);
+    const auto south = heights_.south(index, cells);
+    const auto north = heights_.north(index, cells);
     const Real z_in = z_ + w.t * w.dz, z_out = z_ + exit.t * w.dz;
     const Real lowest = L::least(z_in, z_out) - height_slack_;
     const Real highest = L::greatest(z_in, z_out) + height_slack_;
@@ -208,9 +153,8 @@ class LaneWalker {
 
   PLUMB_INLINE Cell cell_at(const Walkers& w, Mask cells) const {
     const Real index = w.y * L::all(scene_.columns) + w.x;
-    const float* north_row = scene_.heights + static_cast<std::int64_t>(scene_.columns);
-    const auto [sw, se] = L::template gather<1>(scene_.heights, index, cells);
-    const auto [nw, ne] = L::template gather<1>(north_row, index, cells);
+    const auto [sw, se] = heights_.south(index, cells);
+    const auto [nw, ne] = heights_.north(index, cells);
     const Real south = se - sw, north = ne - nw, west = nw - sw, east = ne - se;
     Cell cell;
     cell.rises = rising(w.x, w.y);
@@ -374,7 +318,7 @@ class LaneWalker {
   LaneWalker(const LaneScene& scene, LaneRays& rays) : scene_(scene), rays_(rays) {}
 
   void run() {
-    for (int k = 0; k < rays_.count; k += L::kCount) prepare(k);
+    for (int k = 0; k < rays_.count; k += L::kCount) make_ready<L>(scene_, rays_, ready_, k);
     Walkers sets[kSets];
     for (Walkers& w : sets) {
       w.du = w.dv = w.dz = w.inverse_du = w.inverse_dv = w.end = w.t_low = w.ray = zero_;
@@ -392,6 +336,15 @@ class LaneWalker {
     }
   }
 };
+
+template <class L>
+void walk_in_lanes(const LaneScene& scene, LaneRays& rays) {
+  if (scene.height_codes) {
+    LaneWalker<L, LaneCodes<L>>(scene, rays).run();
+  } else {
+    LaneWalker<L, LaneFloats<L>>(scene, rays).run();
+  }
+}
 
 #undef PLUMB_INLINE
 

@@ -4,7 +4,7 @@
 namespace plumb::reference {
 
 void walk_lanes_sse2(const LaneScene& scene, LaneRays& rays) {
-  LaneWalker<Sse2Lanes>(scene, rays).run();
+  walk_in_lanes<Sse2Lanes>(scene, rays);
 }
 
 }  // namespace plumb::reference

@@ -59,14 +59,29 @@ LaneScene::Cut cut_of(Diagonal diagonal) {
   return LaneScene::Cut::Fixed;
 }
 
+void set_heights(LaneScene& scene, const terrain::HeightGrid& heights,
+                 const HeightPyramid& pyramid) {
+  static_assert(sizeof(HeightRange) == 2 * sizeof(float));
+  static_assert(sizeof(CodeRange) == 2 * sizeof(std::uint16_t));
+  if (heights.is_coded()) {
+    scene.height_codes = heights.as_codes()->values().data();
+    scene.range_codes = &pyramid.codes()->low;
+    scene.code_first = heights.coding().first;
+    scene.void_code = heights.coding().void_code;
+    scene.code_scale = heights.coding().scale;
+    scene.code_offset = heights.coding().offset_m;
+  } else {
+    scene.heights = heights.as_floats()->values().data();
+    scene.ranges = &pyramid.ranges()->low;
+  }
+}
+
 LaneScene lane_scene(const PyramidCaster& caster, const Ray& ray) {
   const Heightfield& field = caster.field();
   const HeightPyramid& pyramid = caster.pyramid();
   const WalkLimits limits = walk_limits(field, pyramid, ray.origin_m);
   LaneScene scene{};
-  static_assert(sizeof(HeightRange) == 2 * sizeof(float));
-  scene.ranges = &pyramid.nodes().front().low;
-  scene.heights = field.heights_m.values().data();
+  set_heights(scene, field.heights_m, pyramid);
   scene.columns = field.columns();
   scene.cell_columns = field.cell_columns();
   scene.cell_rows = field.cell_rows();

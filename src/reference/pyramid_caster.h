@@ -24,7 +24,8 @@ struct LaneRays;
 ///       and thread count.
 ///   (3) Of triangles met at the same t the one with the lowest index (terrain::triangle_index) is
 ///   named.
-/// Holds 1.33 bytes a triangle beside the field's own 2, and keeps a reference to the field.
+/// Holds 1.33 bytes a triangle beside the field's own 2, of heights in 16 bits 0.67 beside 1, and
+/// keeps a reference to the field.
 /// Source: [Tevs, Ihrke & Seidel 2008, maximum mipmaps], with minima, in double; see
 /// docs/algorithms/ground-truth.md.
 class PyramidCaster {

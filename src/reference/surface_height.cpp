@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "core/parallel.h"
 #include "core/triangle_mesh.h"
@@ -100,13 +101,17 @@ double evaluation_slack_m(const Heightfield& field) {
   const Extremes found = parallel_ordered_reduce(
       field.rows(), 64, Extremes{},
       [&](std::int64_t begin, std::int64_t end, Extremes e) {
+        std::vector<float> buffer, north_buffer;
         for (int j = static_cast<int>(begin); j < end; ++j) {
-          for (int i = 0; i < field.columns(); ++i) {
-            const double here = field.heights_m(i, j);
+          const auto row = field.heights_m.row(j, buffer);
+          const auto north_row =
+              j + 1 < field.rows() ? field.heights_m.row(j + 1, north_buffer) : row;
+          for (std::size_t i = 0; i < row.size(); ++i) {
+            const double here = row[i];
             if (std::isnan(here)) continue;
             e.height = std::max(e.height, std::abs(here));
-            const double east = i + 1 < field.columns() ? field.heights_m(i + 1, j) - here : 0.0;
-            const double north = j + 1 < field.rows() ? field.heights_m(i, j + 1) - here : 0.0;
+            const double east = i + 1 < row.size() ? row[i + 1] - here : 0.0;
+            const double north = north_row[i] - here;  // of the last row to itself: 0
             if (!std::isnan(east)) e.slope = std::max(e.slope, std::abs(east) / field.dx_m);
             if (!std::isnan(north)) e.slope = std::max(e.slope, std::abs(north) / field.dy_m);
           }

@@ -10,7 +10,8 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 // Texels of half the size, each the average of those of four that there are; a last odd row or
 // column is its own.
-Grid<float> halved(const Grid<float>& fine) {
+template <class Samples>
+Grid<float> halved(const Samples& fine) {
   Grid<float> coarse((fine.columns() + 1) / 2, (fine.rows() + 1) / 2);
   parallel_for(coarse.rows(), 16, [&](std::int64_t row) {
     const int j = static_cast<int>(row);
@@ -50,21 +51,20 @@ HeightLookup::HeightLookup(const terrain::Heightfield& field, terrain::Diagonal 
     }
   }
   if (interpolation != Interpolation::MipMapped) return;
-  const Grid<float>* fine = &field.heights_m;
-  while (fine->columns() > 2 && fine->rows() > 2) {
-    levels_.push_back(halved(*fine));
-    fine = &levels_.back();
+  if (field.columns() > 2 && field.rows() > 2) levels_.push_back(halved(field.heights_m));
+  while (!levels_.empty() && levels_.back().columns() > 2 && levels_.back().rows() > 2) {
+    levels_.push_back(halved(levels_.back()));
   }
 }
 
 std::optional<LaneHeights> HeightLookup::for_lanes() const {
-  const Grid<float>& heights = field_->heights_m;
-  if (interpolation_ != Interpolation::Triangulated ||
+  const terrain::HeightGrid& heights = field_->heights_m;
+  if (heights.is_coded() || interpolation_ != Interpolation::Triangulated ||
       diagonal_ != terrain::Diagonal::Alternating ||
       heights.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
     return std::nullopt;
   }
-  return LaneHeights{heights.values().data(),
+  return LaneHeights{heights.as_floats()->values().data(),
                      heights.columns(),
                      static_cast<double>(field_->cell_columns()),
                      static_cast<double>(field_->cell_rows()),
@@ -85,7 +85,12 @@ double HeightLookup::alpha_at(double x_m, double y_m) const {
 // Level 0 is the terrain's own; `u` and `v` are its cells. A coarse texel stands in the middle of
 // those that it averages, and the outermost ones reach to the rim.
 double HeightLookup::in_level(std::size_t level, double u, double v) const {
-  const Grid<float>& samples = level == 0 ? field_->heights_m : levels_[level - 1];
+  return level == 0 ? in_samples(field_->heights_m, 0, u, v)
+                    : in_samples(levels_[level - 1], level, u, v);
+}
+
+template <class Samples>
+double HeightLookup::in_samples(const Samples& samples, std::size_t level, double u, double v) {
   const double size = static_cast<double>(std::size_t{1} << level), half = 0.5 * (size - 1.0);
   const double i = std::clamp((u - half) / size, 0.0, samples.columns() - 1.0),
                j = std::clamp((v - half) / size, 0.0, samples.rows() - 1.0);

@@ -64,7 +64,8 @@ class HeightLookup {
   };
 
   // False outside; `u` and `v` in cells of a grid of samples.
-  static bool find(double u, double v, const Grid<float>& samples, Place& place) {
+  template <class Samples>
+  static bool find(double u, double v, const Samples& samples, Place& place) {
     constexpr double kRim = 1e-9;
     const int columns = samples.columns() - 1, rows = samples.rows() - 1;
     if (!(u >= -kRim && v >= -kRim && u <= columns + kRim && v <= rows + kRim)) return false;
@@ -109,6 +110,8 @@ class HeightLookup {
   double from_eight_bits(double alpha) const { return low_m_ + alpha * step_m_; }
   double alpha_at(double x_m, double y_m) const;
   double in_level(std::size_t level, double u, double v) const;
+  template <class Samples>
+  static double in_samples(const Samples& samples, std::size_t level, double u, double v);
 
   const terrain::Heightfield* field_;
   terrain::Diagonal diagonal_;

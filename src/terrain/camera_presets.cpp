@@ -82,14 +82,13 @@ LookAt top(const Scene& scene, const std::vector<Stand>& stands, LookAt picture)
 /// Towards the first sample that is not void, or the middle, from the south and above.
 LookAt look_at_a_sample(const Scene& scene, LookAt picture) {
   const Heightfield& field = *scene.field;
-  const auto& heights = field.heights_m.values();
-  const auto found =
-      std::find_if(heights.begin(), heights.end(), [](float h) { return !std::isnan(h); });
   glm::dvec3 target{scene.extent_m / 2.0, scene.extent_m / 2.0, 0.0};
-  if (found != heights.end()) {
-    const std::int64_t index = found - heights.begin();
-    target = {static_cast<double>(index % field.columns()) * field.dx_m,
-              static_cast<double>(index / field.columns()) * field.dy_m, *found};
+  const auto columns = static_cast<std::int64_t>(field.columns());
+  for (std::int64_t k = 0; k < columns * field.rows(); ++k) {
+    const int i = static_cast<int>(k % columns), j = static_cast<int>(k / columns);
+    if (field.is_void(i, j)) continue;
+    target = {i * field.dx_m, j * field.dy_m, field.heights_m(i, j)};
+    break;
   }
   const double away = 10.0 * scene.spacing_m;
   picture.target_m = field.world_origin_m() + target;

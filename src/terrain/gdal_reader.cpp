@@ -31,6 +31,20 @@ double band_no_data(GDALRasterBand& band, bool& has) {
   return value;
 }
 
+SampleType sample_type(GDALRasterBand& band) {
+  switch (band.GetRasterDataType()) {
+    case GDT_Byte:
+    case GDT_UInt16:
+      return SampleType::Uint16;
+    case GDT_Int16:
+      return SampleType::Int16;
+    case GDT_Float32:
+      return SampleType::Float32;
+    default:
+      return SampleType::Other;
+  }
+}
+
 /// Metres in the band's unit, or in the vertical unit of the file's coordinate system.
 double vertical_unit_m(GDALDataset& dataset, GDALRasterBand& band, const std::string& file,
                        std::vector<std::string>& assumptions) {
@@ -63,7 +77,7 @@ SampleCoding coding_of(GDALDataset& dataset, GDALRasterBand& band, const std::st
   bool has = false;
   const double no_data = band_no_data(band, has);
   if (has) coding.no_data[0] = no_data;
-  coding.stored_as_float32 = band.GetRasterDataType() == GDT_Float32;
+  coding.stored_as = sample_type(band);
   return coding;
 }
 
@@ -227,7 +241,8 @@ Heightfield read_with_gdal(const std::string& file, const ReadOptions& options) 
   const Placement placement = reprojects ? Placement{} : place(g, window, options, file);
   const bool south = reprojects ? g.transform[5] < 0.0 : placement.rows_run_south;
   std::vector<std::string> assumptions;
-  const SampleCoding of_file = coding_of(*dataset, *channels.bands.front(), file, assumptions);
+  SampleCoding of_file = coding_of(*dataset, *channels.bands.front(), file, assumptions);
+  if (channels.bands.size() > 1) of_file.stored_as = SampleType::Other;  // a colour is no sample
   Heightfield field =
       read_heights(channels, with_options(of_file, options), window, south, file, complaints);
   Provenance& p = field.provenance;

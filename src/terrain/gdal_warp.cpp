@@ -5,6 +5,7 @@
 
 #include <array>
 #include <limits>
+#include <vector>
 
 #include "core/check.h"
 #include "terrain/gdal_dataset.h"
@@ -29,9 +30,10 @@ Dataset in_memory(const Heightfield& field, const FileGeoreference& g, const Win
   dataset->SetSpatialRef(&crs);
   GDALRasterBand& band = *dataset->GetRasterBand(1);
   band.SetNoDataValue(std::numeric_limits<double>::quiet_NaN());
+  std::vector<float> buffer;
   for (int j = 0; j < field.rows(); ++j) {
     const int row = transform[5] < 0.0 ? field.rows() - 1 - j : j;
-    auto* heights = const_cast<float*>(field.heights_m.row(j).data());
+    auto* heights = const_cast<float*>(field.heights_m.row(j, buffer).data());
     if (band.RasterIO(GF_Write, 0, row, field.columns(), 1, heights, field.columns(), 1,
                       GDT_Float32, 0, 0, nullptr) != CE_None) {
       return nullptr;

@@ -1,6 +1,7 @@
 #include "terrain/generators.h"
 
 #include <limits>
+#include <utility>
 
 #include "core/check.h"
 #include "core/parallel.h"
@@ -24,13 +25,14 @@ std::size_t void_level(int i, int j, std::uint64_t seed) {
 }
 
 /// Makes the samples of the highest levels void: as many levels as stay within `part` of all.
-void punch_voids(Heightfield& field, double part, std::uint64_t seed) {
+/// Returns how many.
+std::int64_t punch_voids(Grid<float>& heights_m, double part, std::uint64_t seed) {
   using Counts = std::vector<std::int64_t>;
   const Counts counts = parallel_ordered_reduce(
-      field.rows(), 256, Counts(kLevels, 0),
+      heights_m.rows(), 256, Counts(kLevels, 0),
       [&](std::int64_t begin, std::int64_t end, Counts found) {
         for (std::int64_t j = begin; j < end; ++j) {
-          for (int i = 0; i < field.columns(); ++i) {
+          for (int i = 0; i < heights_m.columns(); ++i) {
             ++found[void_level(i, static_cast<int>(j), seed)];
           }
         }
@@ -40,21 +42,21 @@ void punch_voids(Heightfield& field, double part, std::uint64_t seed) {
         for (std::size_t k = 0; k < a.size(); ++k) a[k] += b[k];
         return a;
       });
-  const double wanted = part * static_cast<double>(field.heights_m.size());
+  const double wanted = part * static_cast<double>(heights_m.size());
   std::size_t first_void = kLevels;
   std::int64_t voids = 0;
   while (first_void > 0 && static_cast<double>(voids + counts[first_void - 1]) <= wanted) {
     voids += counts[--first_void];
   }
-  parallel_for(field.rows(), 16, [&](std::int64_t row) {
+  parallel_for(heights_m.rows(), 16, [&](std::int64_t row) {
     const int j = static_cast<int>(row);
-    for (int i = 0; i < field.columns(); ++i) {
+    for (int i = 0; i < heights_m.columns(); ++i) {
       if (void_level(i, j, seed) >= first_void) {
-        field.heights_m(i, j) = std::numeric_limits<float>::quiet_NaN();
+        heights_m(i, j) = std::numeric_limits<float>::quiet_NaN();
       }
     }
   });
-  field.provenance.voids_declared = voids;
+  return voids;
 }
 
 glm::dvec2 origin_of(const GeneratorValues& values) {
@@ -80,11 +82,14 @@ Heightfield generate(const std::string& argument) {
   field.origin_m = origin_of(values);
   field.dx_m = shape.dx_m;
   field.dy_m = shape.dy_m;
-  field.heights_m = Grid<float>(shape.columns, shape.rows);
+  Grid<float> heights_m(shape.columns, shape.rows);
   parallel_for(shape.rows, 1, [&](std::int64_t j) {
-    fill(static_cast<int>(j), field.heights_m.row(static_cast<int>(j)));
+    fill(static_cast<int>(j), heights_m.row(static_cast<int>(j)));
   });
-  if (voids > 0.0) punch_voids(field, voids, seed ^ 0x85ebca6bULL);
+  if (voids > 0.0) {
+    field.provenance.voids_declared = punch_voids(heights_m, voids, seed ^ 0x85ebca6bULL);
+  }
+  field.heights_m = std::move(heights_m);
   field.provenance.source = values.canonical();
   field.provenance.format = "generated";
   field.provenance.file_columns = shape.columns;

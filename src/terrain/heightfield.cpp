@@ -28,26 +28,49 @@ Diagonal parse_diagonal(const std::string& text) {
   input_error("diagonal '{}': expected alternating, fixed or blocks:8", text);
 }
 
-Box bounds(const Heightfield& field) {
-  struct Range {
-    float low, high;
-  };
-  constexpr Range kNone{std::numeric_limits<float>::infinity(),
-                        -std::numeric_limits<float>::infinity()};
-  const Range range = parallel_ordered_reduce(
-      field.rows(), 64, kNone,
-      [&](std::int64_t begin, std::int64_t end, Range found) {
+namespace {
+
+template <class Value>
+struct Range {
+  Value low, high;
+};
+
+// Least and greatest value; `none` where all are void.
+template <class Value, class IsVoid>
+Range<Value> range_of(const Grid<Value>& values, Range<Value> none, const IsVoid& is_void) {
+  return parallel_ordered_reduce(
+      values.rows(), 64, none,
+      [&](std::int64_t begin, std::int64_t end, Range<Value> found) {
         for (std::int64_t j = begin; j < end; ++j) {
-          for (const float height : field.heights_m.row(static_cast<int>(j))) {
-            found.low = height < found.low ? height : found.low;  // false for NaN
-            found.high = height > found.high ? height : found.high;
+          for (const Value value : values.row(static_cast<int>(j))) {
+            if (is_void(value)) continue;
+            found.low = std::min(found.low, value);
+            found.high = std::max(found.high, value);
           }
         }
         return found;
       },
-      [](Range a, Range b) {
-        return Range{std::min(a.low, b.low), std::max(a.high, b.high)};
+      [](Range<Value> a, Range<Value> b) {
+        return Range<Value>{std::min(a.low, b.low), std::max(a.high, b.high)};
       });
+}
+
+Range<float> range_of(const HeightGrid& heights_m) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  constexpr Range<float> kNone{kInfinity, -kInfinity};
+  if (!heights_m.is_coded())
+    return range_of(*heights_m.as_floats(), kNone, [](float height) { return std::isnan(height); });
+  const HeightCoding& coding = heights_m.coding();
+  const auto codes = range_of(*heights_m.as_codes(), Range<std::uint16_t>{65535, 0},
+                              [&](std::uint16_t code) { return code == coding.void_code; });
+  if (codes.low > codes.high) return kNone;
+  return {coding.height_m(codes.low), coding.height_m(codes.high)};
+}
+
+}  // namespace
+
+Box bounds(const Heightfield& field) {
+  const Range<float> range = range_of(field.heights_m);
   Box box;
   if (range.low <= range.high) {
     box.low = {0.0, 0.0, range.low};
@@ -62,9 +85,10 @@ std::uint64_t checksum(const Heightfield& field) {
   sum.add(field.dx_m).add(field.dy_m).add(field.origin_m.x).add(field.origin_m.y);
   constexpr std::uint32_t kVoid = 0x7fc00000u;  // every NaN counts as the same one
   std::vector<std::uint32_t> bits;
+  std::vector<float> buffer;
   for (int j = 0; j < field.rows(); ++j) {
     bits.clear();
-    for (const float height : field.heights_m.row(j)) {
+    for (const float height : field.heights_m.row(j, buffer)) {
       bits.push_back(std::isnan(height) ? kVoid : std::bit_cast<std::uint32_t>(height));
     }
     sum.add(std::span<const std::uint32_t>(bits));
@@ -85,9 +109,13 @@ void require_valid(const Heightfield& field) {
               (std::int64_t{1} << 31) - 1,
           "a heightfield may have at most 2^31 - 2 cells, got {} x {} samples", field.columns(),
           field.rows());
-  for (const float height : field.heights_m.values()) {
-    if (std::isinf(height))
-      throw std::invalid_argument("a height must be finite or NaN (void), got an infinite one");
+  if (field.heights_m.is_coded()) return;  // no code stands for an infinite height
+  std::vector<float> none;
+  for (int j = 0; j < field.rows(); ++j) {
+    for (const float height : field.heights_m.row(j, none)) {
+      if (std::isinf(height))
+        throw std::invalid_argument("a height must be finite or NaN (void), got an infinite one");
+    }
   }
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/box.h"
-#include "core/grid.h"
+#include "terrain/height_grid.h"
 
 namespace plumb::terrain {
 
@@ -61,7 +61,7 @@ struct Provenance {
 ///
 /// A sample is a point. A full-detail triangle exists if its three samples do.
 struct Heightfield {
-  Grid<float> heights_m;
+  HeightGrid heights_m;
   double dx_m = 1.0;
   double dy_m = 1.0;
   glm::dvec2 origin_m{0.0};
@@ -69,7 +69,7 @@ struct Heightfield {
 
   int columns() const { return heights_m.columns(); }
   int rows() const { return heights_m.rows(); }
-  bool is_void(int i, int j) const { return std::isnan(heights_m(i, j)); }
+  bool is_void(int i, int j) const { return heights_m.is_void(i, j); }
   /// Cells across and up; zero where there is a single row or column.
   int cell_columns() const { return columns() > 0 ? columns() - 1 : 0; }
   int cell_rows() const { return rows() > 0 ? rows() - 1 : 0; }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <fstream>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 #include "core/check.h"
@@ -39,13 +40,19 @@ bool is_open_exr(const std::string& file) {
          std::equal(magic, magic + 4, "\x76\x2f\x31\x01");
 }
 
+bool decodes_colour(const ReadOptions& options) {
+  return options.decode == Decode::TerrainRgb || options.decode == Decode::Terrarium;
+}
+
 /// Refuses a PNG that does not fit into memory, before a decoder asks for any.
 void require_memory_for(const PngFile& png, const ReadOptions& options, const std::string& file) {
   const Window window = window_in(options, file, png.columns, png.rows);
-  require_memory(file, window.width, window.height, sizeof(float));
+  SampleCoding of_file;
+  if (!decodes_colour(options)) of_file.stored_as = SampleType::Uint16;
+  const int bytes = bytes_per_sample(with_options(of_file, options));
+  require_memory(file, window.width, window.height, bytes);
   if (png.interlaced_bytes > 0) {
-    require_memory(file, png.columns, png.rows,
-                   static_cast<int>(sizeof(float)) + png.interlaced_bytes);
+    require_memory(file, png.columns, png.rows, bytes + png.interlaced_bytes);
   }
 }
 
@@ -73,7 +80,7 @@ struct Channels {
 
 Channels channels_of(const OIIO::ImageSpec& spec, const ReadOptions& options,
                      const std::string& file) {
-  const bool decodes = options.decode == Decode::TerrainRgb || options.decode == Decode::Terrarium;
+  const bool decodes = decodes_colour(options);
   if (options.decode == Decode::Unspecified && spec.nchannels >= 3) {
     input_error(
         "{}: a colour image of {} channels; say how its colours stand for heights: "
@@ -146,7 +153,11 @@ bool is_empty_pixel(const Rows<Stored>& rows, int i, int row, int alpha) {
 template <class Stored>
 Heightfield read_heights(Rows<Stored> rows, const Channels& channels, const ReadOptions& options,
                          const Window& window, const std::string& file) {
-  HeightfieldBuilder builder(file, window.width, window.height, with_options({}, options), true);
+  SampleCoding of_file;
+  if (std::is_integral_v<Stored> && channels.heights.size() == 1)
+    of_file.stored_as = SampleType::Uint16;
+  HeightfieldBuilder builder(file, window.width, window.height, with_options(of_file, options),
+                             true);
   const int chunk = rows_per_chunk(rows.spec().width);
   std::vector<double> values;
   std::vector<std::uint8_t> mask;

@@ -71,7 +71,10 @@ Heightfield read_raw(const std::string& file, const ReadOptions& options) {
   const RawSize size = checked_size(file, options, bytes);
   const Window window = window_in(options, file, size.columns, size.rows);
   const Placement placement = place({}, window, options, file);
-  HeightfieldBuilder builder(file, window.width, window.height, with_options({}, options), true);
+  SampleCoding of_file;
+  if (bytes == 2) of_file.stored_as = SampleType::Uint16;
+  HeightfieldBuilder builder(file, window.width, window.height, with_options(of_file, options),
+                             true);
   std::ifstream input(file, std::ios::binary);
   std::vector<unsigned char> row_bytes(static_cast<std::size_t>(window.width) *
                                        static_cast<std::size_t>(bytes));

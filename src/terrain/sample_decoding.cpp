@@ -25,7 +25,7 @@ bool is_no_data(double value, const SampleCoding& coding) {
   for (const auto& no_data : coding.no_data) {
     if (!no_data) continue;
     if (std::isnan(*no_data) ? std::isnan(value) : value == *no_data) return true;
-    if (coding.stored_as_float32 && fits_float(*no_data) && fits_float(value) &&
+    if (coding.stored_as == SampleType::Float32 && fits_float(*no_data) && fits_float(value) &&
         static_cast<float>(value) == static_cast<float>(*no_data)) {
       return true;
     }
@@ -40,7 +40,42 @@ void add_to(DecodingTally& sum, const DecodingTally& more) {
   sum.largest_rounding_m = std::max(sum.largest_rounding_m, more.largest_rounding_m);
 }
 
+std::uint16_t void_code(const HeightCoding& coding) {
+  return static_cast<std::uint16_t>(coding.void_code);
+}
+
+// The codes of a row of whole numbers of 16 bits, and whether a height among them has the code of a
+// void.
+bool encode(std::span<const double> stored, std::span<const float> heights_m,
+            const HeightCoding& coding, std::span<std::uint16_t> codes) {
+  int uses_void_code = 0;  // no branches: for compilers that work in lanes
+  for (std::size_t k = 0; k < stored.size(); ++k) {
+    const int is_void = std::isnan(heights_m[k]) ? 1 : 0;
+    const int code = static_cast<int>(stored[k]) - coding.first;
+    codes[k] = static_cast<std::uint16_t>(is_void != 0 ? coding.void_code : code);
+    uses_void_code |= (code == coding.void_code ? 1 : 0) & (1 - is_void);
+  }
+  return uses_void_code != 0;
+}
+
 }  // namespace
+
+std::optional<HeightCoding> height_coding(const SampleCoding& coding) {
+  if (coding.stored_as != SampleType::Int16 && coding.stored_as != SampleType::Uint16) return {};
+  const bool is_signed = coding.stored_as == SampleType::Int16;
+  HeightCoding codes{is_signed ? -32768 : 0, coding.scale, coding.offset_m, is_signed ? 0 : 65535};
+  for (const auto& no_data : coding.no_data) {
+    const double code = no_data ? *no_data - codes.first : -1.0;
+    if (code >= 0.0 && code <= 65535.0 && std::floor(code) == code)
+      codes.void_code = static_cast<int>(code);
+  }
+  if (!codes.is_usable()) return {};
+  return codes;
+}
+
+int bytes_per_sample(const SampleCoding& coding) {
+  return static_cast<int>(height_coding(coding) ? sizeof(std::uint16_t) : sizeof(float));
+}
 
 DecodingTally decode_samples(std::span<const double> stored, std::span<const std::uint8_t> mask,
                              const SampleCoding& coding, std::span<float> heights_m) {
@@ -81,28 +116,69 @@ SampleCoding with_options(SampleCoding of_file, const ReadOptions& options) {
 
 HeightfieldBuilder::HeightfieldBuilder(const std::string& name, int columns, int rows,
                                        const SampleCoding& coding, bool rows_run_south)
-    : coding_(coding), rows_run_south_(rows_run_south) {
-  require_memory(name, columns, rows, sizeof(float));
-  field_.heights_m = Grid<float>(columns, rows, kVoid);
+    : name_(name),
+      coding_(coding),
+      rows_run_south_(rows_run_south),
+      columns_(columns),
+      rows_(rows),
+      codes_coding_(height_coding(coding)) {
+  require_memory(name, columns, rows, bytes_per_sample(coding));
+  if (codes_coding_) {
+    codes_ = Grid<std::uint16_t>(columns, rows, void_code(*codes_coding_));
+  } else {
+    heights_m_ = Grid<float>(columns, rows, kVoid);
+  }
 }
 
 void HeightfieldBuilder::add(int first_row, const StoredRows& rows) {
-  const auto columns = static_cast<std::size_t>(field_.columns());
+  const auto columns = static_cast<std::size_t>(columns_);
   const std::size_t count = rows.values.size() / columns;
   std::vector<DecodingTally> tallies(count);
+  std::vector<std::uint8_t> uses_void_code(count, 0);
   parallel_for(static_cast<std::int64_t>(count), 4, [&](std::int64_t k) {
     const auto row = static_cast<std::size_t>(k);
     const int in_file = first_row + static_cast<int>(k);
-    const int in_memory = rows_run_south_ ? field_.rows() - 1 - in_file : in_file;
+    const int in_memory = rows_run_south_ ? rows_ - 1 - in_file : in_file;
     const auto mask = rows.mask.empty() ? rows.mask : rows.mask.subspan(row * columns, columns);
-    tallies[row] = decode_samples(rows.values.subspan(row * columns, columns), mask, coding_,
-                                  field_.heights_m.row(in_memory));
+    const auto stored = rows.values.subspan(row * columns, columns);
+    std::vector<float> buffer(codes_coding_ ? columns : 0);
+    const std::span<float> heights_m = codes_coding_ ? buffer : heights_m_.row(in_memory);
+    tallies[row] = decode_samples(stored, mask, coding_, heights_m);
+    if (!codes_coding_) return;
+    uses_void_code[row] = encode(stored, heights_m, *codes_coding_, codes_.row(in_memory));
   });
-  for (const DecodingTally& tally : tallies) add_to(tally_, tally);
+  DecodingTally sum = tally_;
+  for (const DecodingTally& tally : tallies) add_to(sum, tally);
+  const bool used = uses_void_code_ || std::count(uses_void_code.begin(), uses_void_code.end(), 1);
+  if (used && sum.voids() > 0) {
+    give_up_codes();
+    add(first_row, rows);
+    return;
+  }
+  uses_void_code_ = used;
+  tally_ = sum;
+}
+
+// What was added before holds voids, or heights of the void code, or neither.
+void HeightfieldBuilder::give_up_codes() {
+  require_memory(name_, columns_, rows_, sizeof(float));
+  if (tally_.voids() == 0) codes_coding_->void_code = HeightCoding::kNoVoid;
+  HeightGrid heights(std::move(codes_), *codes_coding_);
+  heights_m_ = std::move(heights.floats());
+  codes_ = {};
+  codes_coding_.reset();
+  uses_void_code_ = false;
 }
 
 Heightfield HeightfieldBuilder::finish() {
-  Provenance& provenance = field_.provenance;
+  Heightfield field;
+  if (codes_coding_) {
+    if (tally_.voids() == 0) codes_coding_->void_code = HeightCoding::kNoVoid;
+    field.heights_m = HeightGrid(std::move(codes_), *codes_coding_);
+  } else {
+    field.heights_m = std::move(heights_m_);
+  }
+  Provenance& provenance = field.provenance;
   provenance.height_scale = coding_.scale;
   provenance.height_offset_m = coding_.offset_m;
   provenance.voids_declared = tally_.voids_declared;
@@ -114,7 +190,7 @@ Heightfield HeightfieldBuilder::finish() {
         "as heights: --nodata makes a stored value void, --height-scale changes the unit",
         tally_.beyond_earth));
   }
-  return std::move(field_);
+  return field;
 }
 
 int rows_per_chunk(int columns, int block_rows) {

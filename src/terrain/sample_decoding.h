@@ -12,12 +12,20 @@
 
 namespace plumb::terrain {
 
+/// What a file holds its samples as, where that matters.
+enum class SampleType {
+  Other,
+  Float32,  // a no-data value is compared after rounding to this
+  Int16,
+  Uint16,  // or less: whole numbers in [0, 65535]
+};
+
 /// How a stored value becomes a height: value * scale + offset_m, unless it is void.
 struct SampleCoding {
   double scale = 1.0;
   double offset_m = 0.0;
   std::array<std::optional<double>, 2> no_data;  // stored values that are void; may be NaN
-  bool stored_as_float32 = false;  // compare no_data after rounding to what the file can hold
+  SampleType stored_as = SampleType::Other;
 };
 
 /// What decoding met. Counts are of samples.
@@ -27,8 +35,17 @@ struct DecodingTally {
   std::int64_t beyond_earth = 0;      // below -12000 m or above 9000 m
   double largest_rounding_m = 0.0;    // between the height in double and in float32
 
+  std::int64_t voids() const { return voids_declared + voids_not_finite; }
   friend bool operator==(const DecodingTally&, const DecodingTally&) = default;
 };
+
+/// The codes of 16 bits that can hold such heights, voids among them, if any can: the stored values
+/// must be whole numbers of 16 bits and none of them stand for a height that a float has not. Their
+/// void code is a no-data value, or else the value that is least likely to be a height.
+std::optional<HeightCoding> height_coding(const SampleCoding& coding);
+
+/// Bytes that such a height is held in: 2 or 4.
+int bytes_per_sample(const SampleCoding& coding);
 
 /// Decodes `stored` into `heights_m` (same length); a sample whose mask is 0 is void (an empty mask
 /// hides nothing).
@@ -48,7 +65,9 @@ struct StoredRows {
   std::span<const std::uint8_t> mask;  // the same, or empty
 };
 
-/// Collects the rows of a file into a heightfield, whichever way they run.
+/// Collects the rows of a file into a heightfield, whichever way they run. Heights that codes of 16
+/// bits can hold are never all there as floats, unless voids come to light that no code is left
+/// for.
 class HeightfieldBuilder {
  public:
   /// Allocates columns x rows samples, after checking that they fit into memory.
@@ -63,9 +82,16 @@ class HeightfieldBuilder {
   Heightfield finish();
 
  private:
-  Heightfield field_;
+  void give_up_codes();
+
+  std::string name_;
   SampleCoding coding_;
   bool rows_run_south_;
+  int columns_, rows_;
+  std::optional<HeightCoding> codes_coding_;  // if heights are codes
+  Grid<std::uint16_t> codes_;                 // one of these two is empty
+  Grid<float> heights_m_;
+  bool uses_void_code_ = false;  // for a height
   DecodingTally tally_;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <vector>
 
 #include "core/parallel.h"
 #include "core/reproducible_math.h"
@@ -37,21 +39,28 @@ void add_step(Piece& piece, double from, double to, int i, int j, bool northward
   if (rise > piece.steepest.rise_m) piece.steepest = {rise, i, j, northwards, 0.0};  // not for NaN
 }
 
-void add_sample(Piece& piece, const Heightfield& field, int i, int j) {
-  const double height = field.heights_m(i, j);
+// Two rows of samples, the second empty beyond the last.
+struct Rows {
+  std::span<const float> here, north;
+};
+
+void add_sample(Piece& piece, const Rows& rows, int i, int j) {
+  const auto k = static_cast<std::size_t>(i);
+  const double height = rows.here[k];
   if (std::isnan(height)) return;
   ++piece.heights;
   piece.sum_m += height;
   if (height < piece.lowest.height_m) piece.lowest = {height, i, j};
   if (height > piece.highest.height_m) piece.highest = {height, i, j};
-  if (i + 1 < field.columns()) add_step(piece, height, field.heights_m(i + 1, j), i, j, false);
-  if (j + 1 < field.rows()) add_step(piece, height, field.heights_m(i, j + 1), i, j, true);
+  if (k + 1 < rows.here.size()) add_step(piece, height, rows.here[k + 1], i, j, false);
+  if (!rows.north.empty()) add_step(piece, height, rows.north[k], i, j, true);
 }
 
-void add_cell(Piece& piece, const Heightfield& field, const std::array<double, kSlopeBins>& ends,
-              int i, int j) {
-  const double south_west = field.heights_m(i, j), south_east = field.heights_m(i + 1, j);
-  const double north_west = field.heights_m(i, j + 1), north_east = field.heights_m(i + 1, j + 1);
+void add_cell(Piece& piece, const Heightfield& field, const Rows& rows,
+              const std::array<double, kSlopeBins>& ends, int i) {
+  const auto k = static_cast<std::size_t>(i);
+  const double south_west = rows.here[k], south_east = rows.here[k + 1];
+  const double north_west = rows.north[k], north_east = rows.north[k + 1];
   const double east = ((south_east - south_west) + (north_east - north_west)) / (2.0 * field.dx_m);
   const double north = ((north_west - south_west) + (north_east - south_east)) / (2.0 * field.dy_m);
   const double squared = east * east + north * north;
@@ -82,11 +91,14 @@ Piece sum_of(const Heightfield& field) {
   return parallel_ordered_reduce(
       field.rows(), 32, Piece{},
       [&](std::int64_t begin, std::int64_t end, Piece piece) {
+        std::vector<float> here, north;
         for (int j = static_cast<int>(begin); j < end; ++j) {
+          Rows rows{field.heights_m.row(j, here), {}};
+          if (j + 1 < field.rows()) rows.north = field.heights_m.row(j + 1, north);
           for (int i = 0; i < field.columns(); ++i) {
-            add_sample(piece, field, i, j);
+            add_sample(piece, rows, i, j);
             if (i < field.cell_columns() && j < field.cell_rows()) {
-              add_cell(piece, field, ends, i, j);
+              add_cell(piece, field, rows, ends, i);
             }
           }
         }

@@ -70,14 +70,15 @@ Heightfield cut(const Heightfield& whole, const Window& window) {
   part.provenance.window_y = window.y;
   const int south = whole.rows() - window.y - window.height;
   part.origin_m = whole.origin_m + glm::dvec2(window.x * whole.dx_m, south * whole.dy_m);
-  part.heights_m = Grid<float>(window.width, window.height);
+  Grid<float> heights_m(window.width, window.height);
   part.provenance.voids_declared = 0;
   for (int j = 0; j < window.height; ++j) {
     for (int i = 0; i < window.width; ++i) {
-      part.heights_m(i, j) = whole.heights_m(window.x + i, south + j);
-      part.provenance.voids_declared += part.is_void(i, j) ? 1 : 0;
+      heights_m(i, j) = whole.heights_m(window.x + i, south + j);
+      part.provenance.voids_declared += std::isnan(heights_m(i, j)) ? 1 : 0;
     }
   }
+  part.heights_m = std::move(heights_m);
   return part;
 }
 
@@ -105,8 +106,7 @@ Heightfield read_generated(const std::string& argument, const ReadOptions& optio
 void apply_policy(Heightfield& field, const std::string& name, const ReadOptions& options) {
   if (options.no_data_policy != NoDataPolicy::Fill) return;
   require_memory(name, field.columns(), field.rows(), sizeof(int));
-  const auto& heights = field.heights_m.values();
-  if (std::all_of(heights.begin(), heights.end(), [](float h) { return std::isnan(h); })) {
+  if (bounds(field).empty()) {
     input_error("{}: every sample is void, there is nothing to fill from", name);
   }
   const std::int64_t filled = fill_voids(field);

@@ -16,8 +16,8 @@ std::int64_t count_voids(const Heightfield& field) {
       field.rows(), 64, std::int64_t{0},
       [&](std::int64_t begin, std::int64_t end, std::int64_t count) {
         for (std::int64_t j = begin; j < end; ++j) {
-          for (const float height : field.heights_m.row(static_cast<int>(j))) {
-            count += std::isnan(height) ? 1 : 0;
+          for (int i = 0; i < field.columns(); ++i) {
+            count += field.is_void(i, static_cast<int>(j)) ? 1 : 0;
           }
         }
         return count;
@@ -117,7 +117,7 @@ std::int64_t fill_voids(Heightfield& field) {
     std::size_t k = 0;
     for (int i = 0; i < field.columns(); ++i) {
       const int column = envelope.column_at(i, k);
-      if (field.is_void(i, j)) field.heights_m(i, j) = field.heights_m(column, nearest(column, j));
+      if (field.is_void(i, j)) field.heights_m.copy(column, nearest(column, j), i, j);
     }
   });
   return voids;

@@ -67,12 +67,12 @@ inline terrain::Heightfield random_heightfield(Random& random) {
           z = 12.0;
           break;
       }
-      field.heights_m(i, j) = static_cast<float>(z);
+      field.heights_m.floats()(i, j) = static_cast<float>(z);
     }
   }
   if (random.chance(0.5)) {
     const double share = random.chance(0.3) ? 0.5 : 0.05;
-    for (float& height : field.heights_m.values()) {
+    for (float& height : field.heights_m.floats().values()) {
       if (random.chance(share)) height = std::numeric_limits<float>::quiet_NaN();
     }
   }

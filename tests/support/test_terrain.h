@@ -40,11 +40,11 @@ inline terrain::Heightfield rough_terrain(int columns, int rows, std::uint32_t s
   field.dy_m = dy_m;
   for (int j = 0; j < rows; ++j) {
     for (int i = 0; i < columns; ++i) {
-      field.heights_m(i, j) = static_cast<float>(rough_height(seed, i, j, relief_m));
+      field.heights_m.floats()(i, j) = static_cast<float>(rough_height(seed, i, j, relief_m));
       // Voids come in clumps and alone.
       const bool is_void = noise(seed + 1000, i / 3, j / 3) < void_share ||
                            noise(seed + 2000, i, j) < void_share / 8;
-      if (is_void) field.heights_m(i, j) = std::numeric_limits<float>::quiet_NaN();
+      if (is_void) field.heights_m.floats()(i, j) = std::numeric_limits<float>::quiet_NaN();
     }
   }
   return field;

@@ -15,7 +15,7 @@ inline terrain::Heightfield whole_number_field(Random& random) {
   const int columns = random.integer(2, 20), rows = random.integer(2, 20);
   field.heights_m = Grid<float>(columns, rows);
   field.dx_m = field.dy_m = 8.0;
-  for (float& height : field.heights_m.values()) {
+  for (float& height : field.heights_m.floats().values()) {
     height = random.chance(0.1) ? std::numeric_limits<float>::quiet_NaN()
                                 : static_cast<float>(8 * random.integer(0, 2));
   }

@@ -29,10 +29,10 @@ struct PlaneOver {
   double at_m, across, up;
 };
 
-PlaneOver plane_over(const Heightfield& field, const BinTriangle& t) {
+PlaneOver plane_over(const Grid<float>& heights_m, const BinTriangle& t) {
   const Corner m = base_vertex(t);
-  const double a = field.heights_m(t.a.i, t.a.j), b = field.heights_m(t.b.i, t.b.j),
-               c = field.heights_m(t.c.i, t.c.j);
+  const double a = heights_m(t.a.i, t.a.j), b = heights_m(t.b.i, t.b.j),
+               c = heights_m(t.c.i, t.c.j);
   const BaseShape shape = base_shape(m);
   const double at_m = 0.5 * (a + b), h = shape.half;
   const double along =
@@ -93,10 +93,10 @@ double largest_in_row(const float* heights, int first, int last, double plane_at
   return most;
 }
 
-double largest_distance(const Heightfield& field, const BinTriangle& t) {
+double largest_distance(const Grid<float>& heights_m, const BinTriangle& t) {
   const Corner m = base_vertex(t);
   const BaseShape shape = base_shape(m);
-  const PlaneOver plane = plane_over(field, t);
+  const PlaneOver plane = plane_over(heights_m, t);
   const int j0 = std::min({t.a.j, t.b.j, t.c.j}), j1 = std::max({t.a.j, t.b.j, t.c.j});
   const auto rows = [&](std::int64_t begin, std::int64_t end, double most) {
     for (std::int64_t row = begin; row < end; ++row) {
@@ -104,8 +104,8 @@ double largest_distance(const Heightfield& field, const BinTriangle& t) {
       const Span span = span_of_row(t, shape, m, j);
       const double at_first =
           plane.at_m + (plane.up * (j - m.j) + plane.across * (span.first - m.i));
-      most = std::max(most, largest_in_row(field.heights_m.row(j).data(), span.first, span.last,
-                                           at_first, plane.across));
+      most = std::max(most, largest_in_row(heights_m.row(j).data(), span.first, span.last, at_first,
+                                           plane.across));
     }
     return most;
   };
@@ -121,16 +121,21 @@ const float TriangleErrors::kBroken = std::numeric_limits<float>::infinity();
 
 TriangleErrors::TriangleErrors(const Heightfield& field) : field_(field) {
   while (root_side_ < std::max(field.cell_columns(), field.cell_rows())) root_side_ *= 2;
-  require_memory(static_cast<std::int64_t>(field.heights_m.size() * 2 * sizeof(float)),
-                 "the errors of a restricted quadtree");
+  // Codes of heights are looked up so often that it pays to make floats of them for the while.
+  const bool is_coded = field.heights_m.is_coded();
+  require_memory(
+      static_cast<std::int64_t>(field.heights_m.size() * (is_coded ? 3 : 2) * sizeof(float)),
+      "the errors of a restricted quadtree");
+  const Grid<float> decoded = is_coded ? field.heights_m.to_floats() : Grid<float>();
+  const Grid<float>& heights_m = is_coded ? decoded : *field.heights_m.as_floats();
   errors_.assign(2 * field.heights_m.size(), kEmpty);
   for (int half = 1; half <= std::max(1, root_side_ / 2); half *= 2) {
-    fill_level(half, false);
-    fill_level(half, true);
+    fill_level(heights_m, half, false);
+    fill_level(heights_m, half, true);
   }
 }
 
-void TriangleErrors::fill_level(int half, bool centres) {
+void TriangleErrors::fill_level(const Grid<float>& heights_m, int half, bool centres) {
   const int row_step = centres ? 2 * half : half;
   const int first_row = centres ? half : 0;
   const int rows = field_.rows() > first_row ? (field_.rows() - 1 - first_row) / row_step + 1 : 0;
@@ -142,19 +147,19 @@ void TriangleErrors::fill_level(int half, bool centres) {
     for (int i = first; i < field_.columns(); i += 2 * half) {
       for (int side = 0; side < 2; ++side) {
         errors_[2 * field_.heights_m.index(i, j) + static_cast<std::size_t>(side)] =
-            compute({i, j}, side);
+            compute(heights_m, {i, j}, side);
       }
     }
   });
 }
 
-float TriangleErrors::compute(Corner v, int side) const {
+float TriangleErrors::compute(const Grid<float>& heights_m, Corner v, int side) const {
   const BinTriangle t = triangle_of_base(v, side);
   const auto [first, second] = children(t);
   const float one = state_of_child(first), other = state_of_child(second);
   if (one == kEmpty && other == kEmpty) return kEmpty;
   if (one < 0.0f || other < 0.0f || one == kBroken || other == kBroken) return kBroken;
-  return rounded_up(largest_distance(field_, t));
+  return rounded_up(largest_distance(heights_m, t));
 }
 
 // 0 or more for complete children, kEmpty and kBroken for the others.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/grid.h"
 #include "mesh/restricted_quadtree/bintree.h"
 #include "terrain/heightfield.h"
 
@@ -41,8 +42,8 @@ class TriangleErrors {
     return errors_[2 * field_.heights_m.index(v.i, v.j) + static_cast<std::size_t>(side)];
   }
   float state_of_child(const BinTriangle& child) const;
-  float compute(Corner v, int side) const;
-  void fill_level(int half, bool centres);
+  float compute(const Grid<float>& heights_m, Corner v, int side) const;
+  void fill_level(const Grid<float>& heights_m, int half, bool centres);
 
   const terrain::Heightfield& field_;
   int root_side_ = 1;

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "reference/embree_caster.h"
 #include "reference/heightfield_nearest.h"
 #include "reference/pyramid_caster.h"
@@ -16,6 +18,26 @@ std::uint64_t pyramid_frames() {
     for (const char* preset : {"oblique", "grazing"})
       add(sum, caster.cast_frame(camera_for(field, preset)));
   }
+  return sum.value();
+}
+
+// The same hills in feet as a file of 16 bits may have them.
+std::uint64_t coded_pyramid_frames() {
+  terrain::Heightfield field = hills();
+  const terrain::HeightCoding coding{-32768, 0.3048, 12.5, 0};
+  Grid<std::uint16_t> codes(field.columns(), field.rows(), 0);
+  for (int j = 0; j < field.rows(); ++j) {
+    for (int i = 0; i < field.columns(); ++i) {
+      if (field.is_void(i, j)) continue;
+      const double stored = (field.heights_m(i, j) - coding.offset_m) / coding.scale;
+      codes(i, j) = static_cast<std::uint16_t>(std::floor(stored) - coding.first);
+    }
+  }
+  field.heights_m = terrain::HeightGrid(std::move(codes), coding);
+  const reference::PyramidCaster caster(field, terrain::Diagonal::Alternating);
+  Checksum sum;
+  for (const char* preset : {"oblique", "grazing"})
+    add(sum, caster.cast_frame(camera_for(field, preset)));
   return sum.value();
 }
 
@@ -55,6 +77,7 @@ std::uint64_t points_above_and_nearest() {
 
 std::vector<Stage> reference_stages() {
   return {{"reference.pyramid_frames", pyramid_frames},
+          {"reference.coded_pyramid_frames", coded_pyramid_frames},
           {"reference.embree_frames", embree_frames},
           {"reference.nearest_points", points_above_and_nearest}};
 }

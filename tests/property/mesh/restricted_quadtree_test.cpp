@@ -173,7 +173,8 @@ TEST(RestrictedQuadtree, OfAPlaneIsTwoTrianglesEvenAtToleranceZero) {
   terrain::Heightfield field;
   field.heights_m = Grid<float>(129, 129);
   for (int j = 0; j < 129; ++j) {
-    for (int i = 0; i < 129; ++i) field.heights_m(i, j) = static_cast<float>(0.5 * i - 0.25 * j);
+    for (int i = 0; i < 129; ++i)
+      field.heights_m.floats()(i, j) = static_cast<float>(0.5 * i - 0.25 * j);
   }
   EXPECT_EQ(draw(prepare(field), Camera{}, {0.0, Unit::Metre}).mesh->triangles.size(), 2u);
 }
@@ -182,7 +183,7 @@ TEST(RestrictedQuadtree, OfAPlaneIsTwoTrianglesEvenAtToleranceZero) {
 TEST(RestrictedQuadtree, OfASpikeCascades) {
   terrain::Heightfield field;
   field.heights_m = Grid<float>(129, 129);
-  field.heights_m(65, 65) = 50.0f;
+  field.heights_m.floats()(65, 65) = 50.0f;
   const DrawnSurface surface = draw(prepare(field), Camera{}, {1.0, Unit::Metre});
   // From two roots to a centre at the finest level: the count by the slow reference.
   const SlowRefinement slow(
@@ -195,7 +196,7 @@ TEST(RestrictedQuadtree, OfACheckerboardDropsNothing) {
   terrain::Heightfield field;
   field.heights_m = Grid<float>(33, 33);
   for (int j = 0; j < 33; ++j) {
-    for (int i = 0; i < 33; ++i) field.heights_m(i, j) = (i + j) % 2 == 0 ? 10.0f : 0.0f;
+    for (int i = 0; i < 33; ++i) field.heights_m.floats()(i, j) = (i + j) % 2 == 0 ? 10.0f : 0.0f;
   }
   EXPECT_EQ(draw(prepare(field), Camera{}, {4.0, Unit::Metre}).mesh->triangles.size(),
             2u * 32 * 32);

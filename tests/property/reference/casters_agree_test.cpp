@@ -65,7 +65,7 @@ Heightfield alone_in_its_cell(Heightfield field, Diagonal diagonal, std::uint32_
   const bool rising = rises_north_east(diagonal, i, j);
   // Corners that the triangle lacks: north-west or south-east of a rising cell, else NE or SW.
   const int a = rising ? half : 1 - half, b = rising ? 1 - half : 1 - half;
-  field.heights_m(i + a, j + b) = std::numeric_limits<float>::quiet_NaN();
+  field.heights_m.floats()(i + a, j + b) = std::numeric_limits<float>::quiet_NaN();
   return field;
 }
 

@@ -81,7 +81,7 @@ TEST(LaneWalk, HasTheBitsOfTheCarefulWalkOnALargerTerrain) {
   for (int j = 0; j < field.rows(); ++j) {
     for (int i = 0; i < field.columns(); ++i) {
       const double hill = 300.0 * std::sin(i * 0.03) * std::cos(j * 0.045);
-      field.heights_m(i, j) = static_cast<float>(hill + random.uniform(0.0, 4.0));
+      field.heights_m.floats()(i, j) = static_cast<float>(hill + random.uniform(0.0, 4.0));
     }
   }
   for (int k = 0; k < 10; ++k) {

@@ -63,7 +63,7 @@ Heightfield large_terrain() {
   parallel_for(kSamples, 16, [&](std::int64_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < kSamples; ++i) {
-      field.heights_m(i, j) = static_cast<float>(fractal_height(i, j));
+      field.heights_m.floats()(i, j) = static_cast<float>(fractal_height(i, j));
     }
   });
   return field;

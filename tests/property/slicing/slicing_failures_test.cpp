@@ -26,7 +26,8 @@ Heightfield ground(const std::function<double(int, int)>& height) {
   field.heights_m = Grid<float>(kSize, kSize);
   field.dx_m = field.dy_m = kSpacing_m;
   for (int j = 0; j < kSize; ++j) {
-    for (int i = 0; i < kSize; ++i) field.heights_m(i, j) = static_cast<float>(height(i, j));
+    for (int i = 0; i < kSize; ++i)
+      field.heights_m.floats()(i, j) = static_cast<float>(height(i, j));
   }
   return field;
 }

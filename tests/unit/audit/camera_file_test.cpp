@@ -27,7 +27,7 @@ far = 1e5
 terrain::Heightfield hill() {
   terrain::Heightfield field;
   field.heights_m = Grid<float>(17, 17, 10.0f);
-  field.heights_m(8, 8) = 40.0f;
+  field.heights_m.floats()(8, 8) = 40.0f;
   field.dx_m = field.dy_m = 20.0;
   return field;
 }

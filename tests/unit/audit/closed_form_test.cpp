@@ -19,7 +19,7 @@ terrain::Heightfield plane(int size, double height_m, double slope = 0.0) {
   field.dx_m = field.dy_m = 10.0;
   for (int j = 0; j < size; ++j) {
     for (int i = 0; i < size; ++i)
-      field.heights_m(i, j) = static_cast<float>(height_m + slope * 10.0 * i);
+      field.heights_m.floats()(i, j) = static_cast<float>(height_m + slope * 10.0 * i);
   }
   return field;
 }
@@ -92,7 +92,7 @@ TEST(ClosedForm, OtherDiagonalsDifferByHalfTheTwistAtTheMiddleOfACell) {
   terrain::Heightfield field = plane(9, 0.0);
   for (int j = 0; j < 9; ++j) {
     for (int i = 0; i < 9; ++i)
-      field.heights_m(i, j) = static_cast<float>(0.5 * i * j);  // twist 0.5 in every cell
+      field.heights_m.floats()(i, j) = static_cast<float>(0.5 * i * j);  // twist 0.5 in every cell
   }
   const DrawnSurface surface =
       mesh::full::draw(mesh::full::prepare(field, {terrain::Diagonal::Fixed}), Camera{}, {});
@@ -109,7 +109,7 @@ TEST(ClosedForm, OtherDiagonalsDifferByHalfTheTwistAtTheMiddleOfACell) {
 // Long edges cross many lines: a single triangle pair over a ridge of 5 m at column 4.
 TEST(ClosedForm, ALongEdgeIsComparedWhereItCrossesARidge) {
   terrain::Heightfield field = plane(9, 0.0);
-  for (int j = 0; j < 9; ++j) field.heights_m(4, j) = 5.0f;
+  for (int j = 0; j < 9; ++j) field.heights_m.floats()(4, j) = 5.0f;
   const AuditResult result = audit_surface(HeightfieldTruth(field, terrain::Diagonal::Alternating),
                                            sheet(9, 0.0), from_above(80, 100));
   EXPECT_DOUBLE_EQ(result.samples.worst_m.error, 5.0);

@@ -46,15 +46,15 @@ void expect_acquitted(const terrain::Heightfield& field, double bound_m, const c
 
 // The part of a terrain around its highest sample.
 terrain::Heightfield around_summit(const terrain::Heightfield& field, int columns, int rows) {
-  const auto& heights = field.heights_m;
-  const auto top = std::max_element(heights.values().begin(), heights.values().end());
-  const int at = static_cast<int>(top - heights.values().begin());
+  terrain::HeightGrid heights = field.heights_m;
+  const auto& values = heights.floats().values();
+  const int at = static_cast<int>(std::max_element(values.begin(), values.end()) - values.begin());
   const int i0 = std::clamp(at % heights.columns() - columns / 2, 0, heights.columns() - columns);
   const int j0 = std::clamp(at / heights.columns() - rows / 2, 0, heights.rows() - rows);
   terrain::Heightfield part = field;
   part.heights_m = Grid<float>(columns, rows);
   for (int j = 0; j < rows; ++j) {
-    for (int i = 0; i < columns; ++i) part.heights_m(i, j) = heights(i0 + i, j0 + j);
+    for (int i = 0; i < columns; ++i) part.heights_m.floats()(i, j) = heights(i0 + i, j0 + j);
   }
   return part;
 }

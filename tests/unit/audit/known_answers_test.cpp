@@ -40,7 +40,7 @@ terrain::Heightfield fuji() {
     // Rows run from the south here; the repeated one is the last of the file, which is the
     // southernmost.
     for (int i = 0; i < 513; ++i)
-      field.heights_m(i, j) = tile.heights_m(std::min(i, 511), std::max(j - 1, 0));
+      field.heights_m.floats()(i, j) = tile.heights_m(std::min(i, 511), std::max(j - 1, 0));
   }
   return field;
 }

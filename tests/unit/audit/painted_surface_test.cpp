@@ -58,7 +58,7 @@ class PaintedSurface : public testing::Test {
     field_.dx_m = field_.dy_m = 10.0;
     for (int i = 0; i < 65; ++i) {
       for (int j = 30; gap && j < 40; ++j)
-        field_.heights_m(i, j) = std::numeric_limits<float>::quiet_NaN();
+        field_.heights_m.floats()(i, j) = std::numeric_limits<float>::quiet_NaN();
     }
     look_.eye_m = {320.0, 0.0, 100.0};
     look_.target_m = target_m;
@@ -144,7 +144,7 @@ TEST_F(PaintedSurface, IsNotJudgedWhereItsRaysBeginBelowTheGround) {
 TEST_F(PaintedSurface, IsNotJudgedBehindAVoidThatALoweredRidgeLetsItsRayReach) {
   for (const bool gap : {true, false}) {
     look_at_flat_ground(gap, {320.0, 200.0, 49.5});  // just below the ridge's top
-    for (int i = 0; i < 65; ++i) field_.heights_m(i, 20) = 50.0f;
+    for (int i = 0; i < 65; ++i) field_.heights_m.floats()(i, 20) = 50.0f;
     const AuditResult result = audit(painted([&](HitImage& image) {
       const std::size_t pixel = image.index(80, 45);
       ASSERT_TRUE(image.hit(pixel));

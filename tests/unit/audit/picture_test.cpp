@@ -77,7 +77,7 @@ TEST(Picture, TakesTheTrianglesOwnLevelWhereItHasOne) {
 // The lowest tint of level ground, under a sky that is all the light there is from above.
 TEST(Picture, ColoursByTheTerrainsOwnHeights) {
   Square square;
-  square.field.heights_m(0, 0) = 5.0f;  // so that 7 is the highest
+  square.field.heights_m.floats()(0, 0) = 5.0f;  // so that 7 is the highest
   const image::AovImage picture =
       draw_picture(square.field, square.hits, square.surface, square.camera, {});
   const glm::dvec3 top = raster::hypsometric_tint(1.0);

@@ -183,7 +183,8 @@ TEST_F(PlantedDefect, APictureMovedByHalfAPixelIsMeasured) {
 
 TEST_F(PlantedDefect, GroundDrawnOverAVoidIsCounted) {
   for (int j = 30; j < 40; ++j) {
-    for (int i = 60; i < 70; ++i) field_.heights_m(i, j) = std::numeric_limits<float>::quiet_NaN();
+    for (int i = 60; i < 70; ++i)
+      field_.heights_m.floats()(i, j) = std::numeric_limits<float>::quiet_NaN();
   }
   const AuditResult result = audit();  // the mesh still stands there
   EXPECT_FALSE(result.holds());

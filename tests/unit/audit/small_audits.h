@@ -21,7 +21,8 @@ inline terrain::Heightfield twisted(int size, double twist) {
   field.heights_m = Grid<float>(size, size);
   field.dx_m = field.dy_m = 10.0;
   for (int j = 0; j < size; ++j) {
-    for (int i = 0; i < size; ++i) field.heights_m(i, j) = static_cast<float>(twist * i * j);
+    for (int i = 0; i < size; ++i)
+      field.heights_m.floats()(i, j) = static_cast<float>(twist * i * j);
   }
   return field;
 }

@@ -54,7 +54,7 @@ TEST(Verdict, IsBrokenWhereSomethingIsDrawnIntoTheSky) {
 TEST(Verdict, IsNoneForATerrainWithoutASurface) {
   terrain::Heightfield empty = plane(5);
   for (int j = 0; j < 5; ++j) {
-    for (int i = 0; i < 5; ++i) empty.heights_m(i, j) = kVoid;
+    for (int i = 0; i < 5; ++i) empty.heights_m.floats()(i, j) = kVoid;
   }
   for (const auto& [field, words] : {std::pair(empty, "5 x 5 samples, 25 of them void"),
                                      std::pair(plane(1), "1 x 1 samples, 0 of them void")}) {

@@ -158,7 +158,7 @@ TEST(Violations, OfAPatchAreItsSamples) {
 
 TEST(Offenders, NameSamplesUnderTwoSheetsAndVoidsThatAreDrawnOver) {
   terrain::Heightfield field = plane(33);
-  field.heights_m(4, 5) = kVoid;
+  field.heights_m.floats()(4, 5) = kVoid;
   DrawnSurface surface = full_detail(plane(33));
   auto mesh = std::make_shared<TriangleMesh>(*surface.mesh);
   const auto first = static_cast<std::uint32_t>(mesh->vertices_m.size());

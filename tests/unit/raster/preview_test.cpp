@@ -41,7 +41,7 @@ TEST(Preview, OfLevelGroundHasOneColour) {
 
 TEST(Preview, ShowsVoidsInAColourOfTheirOwnAndNorthUp) {
   terrain::Heightfield field = field_of(2, 3);
-  field.heights_m(1, 2) = NAN;  // north-east
+  field.heights_m.floats()(1, 2) = NAN;  // north-east
   const auto image = shaded_preview(field, 3);
   for (int y = 0; y < 3; ++y) {
     for (int x = 0; x < 2; ++x) {
@@ -53,7 +53,7 @@ TEST(Preview, ShowsVoidsInAColourOfTheirOwnAndNorthUp) {
 
 TEST(Preview, OfVoidsAloneIsVoid) {
   terrain::Heightfield field = field_of(2, 2);
-  for (float& height : field.heights_m.values()) height = NAN;
+  for (float& height : field.heights_m.floats().values()) height = NAN;
   for (const float red : shaded_preview(field, 2).r) {
     EXPECT_EQ(red, static_cast<float>(kVoidColour.x));
   }
@@ -63,7 +63,8 @@ TEST(Preview, OfVoidsAloneIsVoid) {
 TEST(Preview, LightsTheSideTowardsNorthWest) {
   terrain::Heightfield field = field_of(21, 21);
   for (int j = 0; j < 21; ++j) {
-    for (int i = 0; i < 21; ++i) field.heights_m(i, j) = -std::abs(static_cast<float>(i - j));
+    for (int i = 0; i < 21; ++i)
+      field.heights_m.floats()(i, j) = -std::abs(static_cast<float>(i - j));
   }
   const auto image = shaded_preview(field, 21);
   EXPECT_GT(image.g[image.index(5, 5)], 1.2f * image.g[image.index(15, 15)]);  // same height
@@ -72,7 +73,7 @@ TEST(Preview, LightsTheSideTowardsNorthWest) {
 TEST(Preview, IsTheSameOnAnyNumberOfThreads) {
   terrain::Heightfield field = field_of(301, 203);
   unsigned state = 1;
-  for (float& height : field.heights_m.values()) {
+  for (float& height : field.heights_m.floats().values()) {
     state = state * 1664525u + 1013904223u;
     height = state % 97 == 0 ? NAN : static_cast<float>(state >> 20);
   }

@@ -61,7 +61,7 @@ Heightfield field_of(const Height& height) {
   field.dx_m = field.dy_m = 10.0;
   field.origin_m = {500317.129, 4500891.733};
   for (int j = 0; j < 33; ++j) {
-    for (int i = 0; i < 33; ++i) field.heights_m(i, j) = static_cast<float>(height(i, j));
+    for (int i = 0; i < 33; ++i) field.heights_m.floats()(i, j) = static_cast<float>(height(i, j));
   }
   return field;
 }

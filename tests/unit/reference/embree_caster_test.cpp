@@ -54,13 +54,14 @@ TEST(EmbreeCaster, NamesTheLowestTriangleOfAnEdgeOrCorner) {
 
 TEST(EmbreeCaster, SeesNothingWhereASampleIsVoid) {
   Heightfield field = level_cells();
-  field.heights_m(2, 0) = std::nanf("");  // takes both triangles (SE, ...) of cell 1
+  field.heights_m.floats()(2, 0) = std::nanf("");  // takes both triangles (SE, ...) of cell 1
   const EmbreeCaster caster(field, Diagonal::Alternating);
   EXPECT_FALSE(caster.cast(down_at(12.0, 2.0)));
   EXPECT_FALSE(caster.cast(down_at(18.0, 8.0)));
   EXPECT_TRUE(caster.cast(down_at(9.0, 2.0)));
-  field.heights_m(2, 0) = 5.0f;
-  field.heights_m(1, 0) = std::nanf("");  // leaves (SE, NE, NW) of cell 1 and (SW, NE, NW) of 0
+  field.heights_m.floats()(2, 0) = 5.0f;
+  field.heights_m.floats()(1, 0) =
+      std::nanf("");  // leaves (SE, NE, NW) of cell 1 and (SW, NE, NW) of 0
   const EmbreeCaster other(field, Diagonal::Alternating);
   EXPECT_EQ(other.cast(down_at(18.0, 8.0)).triangle, 3u);
   EXPECT_FALSE(other.cast(down_at(12.0, 2.0)));
@@ -82,7 +83,7 @@ TEST(EmbreeCaster, LooksThroughWhatLiesBeforeTheNearPlane) {
 
 TEST(EmbreeCaster, OfNothingSeesNothing) {
   Heightfield all_void = level_cells();
-  for (float& height : all_void.heights_m.values()) height = std::nanf("");
+  for (float& height : all_void.heights_m.floats().values()) height = std::nanf("");
   Heightfield one_row;
   one_row.heights_m = Grid<float>(9, 1, 0.0f);
   const TriangleMesh no_mesh;
@@ -115,7 +116,7 @@ Scene rough_scene() {
   scene.field.dx_m = 12.5;
   scene.field.dy_m = 9.0;
   scene.field.origin_m = {512345.678, 4498765.432};
-  for (float& height : scene.field.heights_m.values()) {
+  for (float& height : scene.field.heights_m.floats().values()) {
     height = random.chance(0.03) ? std::nanf("") : static_cast<float>(random.uniform(0.0, 40.0));
   }
   scene.camera =
@@ -170,7 +171,8 @@ TEST(EmbreeCaster, CastsManyRaysAsItCastsOne) {
 // A terrain without voids has the same triangles, in the same order, as its mesh.
 TEST(EmbreeCaster, SeesAMeshAsItSeesTheSameHeightfield) {
   Scene scene = rough_scene();
-  for (float& height : scene.field.heights_m.values()) height = std::isnan(height) ? 7.0f : height;
+  for (float& height : scene.field.heights_m.floats().values())
+    height = std::isnan(height) ? 7.0f : height;
   const TriangleMesh mesh = test_support::mesh_of(scene.field, Diagonal::Alternating);
   EXPECT_TRUE(same(EmbreeCaster(mesh).cast_frame(scene.camera),
                    EmbreeCaster(scene.field, Diagonal::Alternating).cast_frame(scene.camera)));

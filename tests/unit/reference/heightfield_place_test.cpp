@@ -19,10 +19,10 @@ using terrain::Diagonal;
 terrain::Heightfield cell(float sw, float se, float nw, float ne) {
   terrain::Heightfield field;
   field.heights_m = Grid<float>(2, 2);
-  field.heights_m(0, 0) = sw;
-  field.heights_m(1, 0) = se;
-  field.heights_m(0, 1) = nw;
-  field.heights_m(1, 1) = ne;
+  field.heights_m.floats()(0, 0) = sw;
+  field.heights_m.floats()(1, 0) = se;
+  field.heights_m.floats()(0, 1) = nw;
+  field.heights_m.floats()(1, 1) = ne;
   field.dx_m = 10.0;
   field.dy_m = 20.0;
   return field;
@@ -45,7 +45,7 @@ TEST(SurfaceAt, HasNothingOutsideNorOverAVoid) {
        {std::pair(-0.1, 5.0), std::pair(10.1, 5.0), std::pair(5.0, -0.1), std::pair(5.0, 20.1)}) {
     EXPECT_FALSE(exists_at(field, Diagonal::Fixed, x, y));
   }
-  field.heights_m(1, 1) = std::numeric_limits<float>::quiet_NaN();
+  field.heights_m.floats()(1, 1) = std::numeric_limits<float>::quiet_NaN();
   // Fixed diagonals: the north-eastern half is gone, the south-western one stays, its diagonal
   // included.
   EXPECT_TRUE(exists_at(field, Diagonal::Fixed, 2.0, 4.0));
@@ -70,7 +70,7 @@ TEST(SurfaceAt, IsTheSampleAtASample) {
 
 TEST(SurfaceAt, FindsGroundOnTheRimOfAVoidFromEitherSide) {
   terrain::Heightfield field = test_support::rough_terrain(5, 5, 4);
-  field.heights_m(3, 1) = field.heights_m(3, 2) = field.heights_m(3, 3) =
+  field.heights_m.floats()(3, 1) = field.heights_m.floats()(3, 2) = field.heights_m.floats()(3, 3) =
       std::numeric_limits<float>::quiet_NaN();
   EXPECT_TRUE(exists_at(field, Diagonal::Alternating, 20.0,
                         25.0));  // the last column that is whole to the west
@@ -81,7 +81,7 @@ TEST(SurfaceAt, FindsGroundOnTheRimOfAVoidFromEitherSide) {
 // falls.
 TEST(SurfaceAt, FindsGroundOnARimThatRunsAlongADiagonal) {
   terrain::Heightfield field = test_support::rough_terrain(9, 9, 4, 60.0, 0.0, 13.7, 9.1);
-  field.heights_m(4, 5) =
+  field.heights_m.floats()(4, 5) =
       std::numeric_limits<float>::quiet_NaN();  // leaves the south-eastern half of cell (4, 4)
   for (int k = 0; k <= 1000; ++k) {
     const double share = k / 1000.0;

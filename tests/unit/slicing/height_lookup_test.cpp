@@ -23,7 +23,7 @@ Heightfield field_of(int columns, std::initializer_list<float> heights) {
   field.heights_m = Grid<float>(columns, static_cast<int>(heights.size()) / columns);
   const float* next = heights.begin();
   for (int j = 0; j < field.heights_m.rows(); ++j) {
-    for (int i = 0; i < columns; ++i) field.heights_m(i, j) = *next++;
+    for (int i = 0; i < columns; ++i) field.heights_m.floats()(i, j) = *next++;
   }
   field.dx_m = field.dy_m = 10.0;
   return field;

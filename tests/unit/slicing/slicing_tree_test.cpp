@@ -79,7 +79,7 @@ TEST(SlicingTree, BoxesHoldTheirSamplesAndTellTheirSlope) {
 TEST(SlicingTree, KnowsWhatTouchesARimOrAVoid) {
   Heightfield field;
   field.heights_m = Grid<float>(33, 33, 1.0f);
-  field.heights_m(16, 16) = NAN;  // the corner of four leaves
+  field.heights_m.floats()(16, 16) = NAN;  // the corner of four leaves
   const SlicingTree tree(field, Diagonal::Alternating);
   int inland = 0;
   for (std::uint32_t index = SlicingTree::first_of(2); index < tree.count(); ++index) {

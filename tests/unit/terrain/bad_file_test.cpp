@@ -190,7 +190,8 @@ TEST_F(BadFile, NothingToFillFrom) {
   expect_says(message_for(folder_.file("void.tif"), options), "every sample is void");
 }
 
-// 400,000 x 400,000 float32 samples are 640,000,000,000 bytes; the file itself holds none of them.
+// 400,000 x 400,000 float32 samples are 640,000,000,000 bytes, those of 16 bits half of that; the
+// file itself holds none of them.
 TEST_F(BadFile, LargerThanMemory) {
   const std::string file = folder_.file("huge.vrt");
   write_text(file,
@@ -211,7 +212,7 @@ TEST_F(BadFile, PngLargerThanMemory) {
   bytes.seekp(16).write(size.data(), 8);
   bytes.seekp(29).write(checksum.data(), 4);
   bytes.close();
-  expect_says(message_for(file), "need 640000000000 bytes of memory, there are");
+  expect_says(message_for(file), "need 320000000000 bytes of memory, there are");
 }
 
 TEST_F(BadFile, BareSamplesLargerThanMemory) {
@@ -223,7 +224,7 @@ TEST_F(BadFile, BareSamplesLargerThanMemory) {
   ReadOptions options;
   options.spacing_x_m = 1.0;
   options.raw_size = RawSize{400000, 400000};
-  expect_says(message_for(file, options), "need 640000000000 bytes of memory, there are");
+  expect_says(message_for(file, options), "need 320000000000 bytes of memory, there are");
 }
 
 TEST_F(BadFile, RawSizeOfAFileThatStatesItsOwn) {

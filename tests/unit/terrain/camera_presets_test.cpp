@@ -89,7 +89,7 @@ TEST(CameraPresets, ValleyStandsOnTheFloorAndLooksAlong) {
   field.heights_m = Grid<float>(65, 65);
   for (int j = 0; j < 65; ++j) {
     for (int i = 0; i < 65; ++i) {
-      field.heights_m(i, j) = static_cast<float>(5.0 * std::abs(i - 32) + 0.5 * j);
+      field.heights_m.floats()(i, j) = static_cast<float>(5.0 * std::abs(i - 32) + 0.5 * j);
     }
   }
   const LookAt view = preset(field, "valley");

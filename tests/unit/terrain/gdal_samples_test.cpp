@@ -32,6 +32,8 @@ TEST_P(EverySampleType, GivesItsValuesAsHeights) {
   for (std::size_t k = 0; k < 4; ++k) {
     EXPECT_EQ(heights[k], static_cast<float>(tiff.values[k])) << tiff.type << " sample " << k;
   }
+  const bool sixteen = tiff.type == "Byte" || tiff.type == "UInt16" || tiff.type == "Int16";
+  EXPECT_EQ(field.heights_m.is_coded(), sixteen);
   EXPECT_EQ(field.provenance.largest_rounding_m, 0.0);
   EXPECT_EQ(field.provenance.voids_declared + field.provenance.voids_not_finite, 0);
   EXPECT_EQ(field.provenance.format, "GTiff");

@@ -26,12 +26,12 @@ void expect_says(const std::string& message, const std::string& words) {
 }
 
 TEST(Generators, PlaneIsLevel) {
-  const Heightfield field = generate("generate:plane?size=3x2&height=12.5&spacing=2,4");
+  Heightfield field = generate("generate:plane?size=3x2&height=12.5&spacing=2,4");
   EXPECT_EQ(field.columns(), 3);
   EXPECT_EQ(field.rows(), 2);
   EXPECT_EQ(field.dx_m, 2.0);
   EXPECT_EQ(field.dy_m, 4.0);
-  EXPECT_EQ(field.heights_m.values(), std::vector<float>(6, 12.5f));
+  EXPECT_EQ(field.heights_m.floats().values(), std::vector<float>(6, 12.5f));
 }
 
 TEST(Generators, TiltedPlaneRisesEastAndNorth) {
@@ -132,10 +132,10 @@ TEST(Generators, ASmallerTerrainIsTheCornerOfALargerOne) {
 
 TEST(Generators, VoidsCoverThePartThatIsAskedFor) {
   for (const double part : {0.01, 0.1, 0.5, 0.9}) {
-    const Heightfield field =
-        generate(fmt::format("generate:alpine?size=200&voids={}&seed=5", part));
+    Heightfield field = generate(fmt::format("generate:alpine?size=200&voids={}&seed=5", part));
     std::int64_t voids = 0;
-    for (const float height : field.heights_m.values()) voids += std::isnan(height) ? 1 : 0;
+    for (const float height : field.heights_m.floats().values())
+      voids += std::isnan(height) ? 1 : 0;
     EXPECT_EQ(field.provenance.voids_declared, voids);
     // Never more; less by what one of 65536 levels holds, at most 0.5 % of the samples.
     EXPECT_LE(static_cast<double>(voids), part * 40000.0);

@@ -27,8 +27,8 @@ void expect_says(const std::string& message, const std::string& words) {
   EXPECT_NE(message.find(words), std::string::npos) << message;
 }
 
-double part_at_height(const Heightfield& field, float height) {
-  const auto& heights = field.heights_m.values();
+double part_at_height(Heightfield field, float height) {
+  const auto& heights = field.heights_m.floats().values();
   return static_cast<double>(std::count(heights.begin(), heights.end(), height)) /
          static_cast<double>(heights.size());
 }
@@ -150,9 +150,9 @@ TEST(Canyon, HasWallsOfSlopesAndCliffs) {
 // along every wall the same heights are passed quickly.
 TEST(Canyon, ShowsTheSameLayersEverywhere) {
   const auto cliff_tops = [](const char* argument) {
-    const Heightfield field = generate(argument);
+    Heightfield field = generate(argument);
     std::vector<std::int64_t> counts(90, 0);
-    for (const float height : field.heights_m.values()) {
+    for (const float height : field.heights_m.floats().values()) {
       const auto bin = static_cast<std::size_t>(std::clamp(height / 10.0f, 0.0f, 89.0f));
       ++counts[bin];
     }

@@ -35,7 +35,7 @@ bool forget_peak() {
 }
 
 constexpr int kColumns = 4097, kRows = 2049;
-constexpr double kHeights = 4.0 * kColumns * kRows;
+constexpr double kHeights = 2.0 * kColumns * kRows;
 // A strip is 4 MiB of doubles, up to whole blocks: 256 rows of them, 8 MiB, in the tiled file. As
 // much again is for what the libraries keep, and less than the 16 MiB that the file has.
 constexpr double kStrips = 15.0 * 1024 * 1024;

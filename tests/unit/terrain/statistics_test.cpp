@@ -46,8 +46,8 @@ TEST(Statistics, FindTheSteepestStepAndItsSide) {
   field.dx_m = 10.0;
   field.dy_m = 5.0;
   field.heights_m = Grid<float>(3, 3, 0.0f);
-  field.heights_m(2, 1) = 4.0f;
-  field.heights_m(0, 2) = -5.0f;
+  field.heights_m.floats()(2, 1) = 4.0f;
+  field.heights_m.floats()(0, 2) = -5.0f;
   const TerrainStatistics s = statistics_of(field);
   EXPECT_EQ(s.steepest_step.rise_m, 5.0);
   EXPECT_EQ(s.steepest_step.i, 0);
@@ -61,7 +61,7 @@ TEST(Statistics, FindTheSteepestStepAndItsSide) {
 TEST(Statistics, VoidsHaveNoHeightNoStepAndNoCell) {
   Heightfield field;
   field.heights_m = Grid<float>(3, 2, 1.0f);
-  field.heights_m(2, 1) = kVoid;
+  field.heights_m.floats()(2, 1) = kVoid;
   const TerrainStatistics s = statistics_of(field);
   EXPECT_EQ(s.voids, 1);
   EXPECT_EQ(s.heights, 5);

@@ -10,14 +10,14 @@ constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
 Heightfield field_of(int columns, int rows, const std::vector<float>& heights) {
   Heightfield field;
   field.heights_m = Grid<float>(columns, rows);
-  field.heights_m.values() = heights;
+  field.heights_m.floats().values() = heights;
   return field;
 }
 
 TEST(VoidFill, TakesTheNearestSample) {
   Heightfield field = field_of(4, 1, {1, kVoid, kVoid, 2});
   EXPECT_EQ(fill_voids(field), 2);
-  EXPECT_EQ(field.heights_m.values(), (std::vector<float>{1, 1, 2, 2}));
+  EXPECT_EQ(field.heights_m.floats().values(), (std::vector<float>{1, 1, 2, 2}));
 }
 
 TEST(VoidFill, MeasuresInMetres) {
@@ -47,7 +47,7 @@ TEST(VoidFill, OfEquallyFarSamplesTheLowerColumnThenTheLowerRowWins) {
 TEST(VoidFill, LeavesWhatNeedsNoneOrHasNone) {
   Heightfield field = field_of(2, 1, {1, 2});
   EXPECT_EQ(fill_voids(field), 0);
-  EXPECT_EQ(field.heights_m.values(), (std::vector<float>{1, 2}));
+  EXPECT_EQ(field.heights_m.floats().values(), (std::vector<float>{1, 2}));
   field = field_of(2, 1, {kVoid, kVoid});
   EXPECT_EQ(fill_voids(field), 2);
   EXPECT_TRUE(field.is_void(0, 0) && field.is_void(1, 0));

@@ -133,8 +133,9 @@ std::string input_error_of(const std::function<void()>& action) {
 
 std::vector<float> as_in_file(const Heightfield& field) {
   std::vector<float> values;
+  std::vector<float> buffer;
   for (int j = field.rows() - 1; j >= 0; --j) {
-    const auto row = field.heights_m.row(j);
+    const auto row = field.heights_m.row(j, buffer);
     values.insert(values.end(), row.begin(), row.end());
   }
   return values;
