@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/instruction_set.h"
+#include "terrain/stored_heights.h"
 
 namespace plumb::reference {
 
@@ -12,14 +13,10 @@ namespace plumb::reference {
 struct LaneScene {
   static constexpr int kLevels = 16;  // levels of the pyramid that lanes use, 0 .. 15
 
-  // Heights of samples, row by row, and pairs (low, high) of nodes, level after level: floats, or
-  // codes; the others are null.
-  const float* heights;  // NaN is a void
+  terrain::StoredHeights heights;
+  // Pairs (low, high) of nodes, level after level, stored as the heights are; the other is null.
   const float* ranges;
-  const std::uint16_t* height_codes;  // as terrain::HeightCoding has them
   const std::uint16_t* range_codes;
-  int code_first, void_code;
-  double code_scale, code_offset;
   double columns;  // samples in a row
   double cell_columns, cell_rows;
   double level_begin[kLevels];  // index of the level's first range

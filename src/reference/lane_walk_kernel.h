@@ -339,10 +339,10 @@ class LaneWalker {
 
 template <class L>
 void walk_in_lanes(const LaneScene& scene, LaneRays& rays) {
-  if (scene.height_codes) {
-    LaneWalker<L, LaneCodes<L>>(scene, rays).run();
+  if (scene.heights.codes) {
+    LaneWalker<L, WalkCodes<L>>(scene, rays).run();
   } else {
-    LaneWalker<L, LaneFloats<L>>(scene, rays).run();
+    LaneWalker<L, WalkFloats<L>>(scene, rays).run();
   }
 }
 

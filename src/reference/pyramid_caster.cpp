@@ -63,15 +63,10 @@ void set_heights(LaneScene& scene, const terrain::HeightGrid& heights,
                  const HeightPyramid& pyramid) {
   static_assert(sizeof(HeightRange) == 2 * sizeof(float));
   static_assert(sizeof(CodeRange) == 2 * sizeof(std::uint16_t));
+  scene.heights = terrain::stored(heights);
   if (heights.is_coded()) {
-    scene.height_codes = heights.as_codes()->values().data();
     scene.range_codes = &pyramid.codes()->low;
-    scene.code_first = heights.coding().first;
-    scene.void_code = heights.coding().void_code;
-    scene.code_scale = heights.coding().scale;
-    scene.code_offset = heights.coding().offset_m;
   } else {
-    scene.heights = heights.as_floats()->values().data();
     scene.ranges = &pyramid.ranges()->low;
   }
 }

@@ -59,17 +59,13 @@ HeightLookup::HeightLookup(const terrain::Heightfield& field, terrain::Diagonal 
 
 std::optional<LaneHeights> HeightLookup::for_lanes() const {
   const terrain::HeightGrid& heights = field_->heights_m;
-  if (heights.is_coded() || interpolation_ != Interpolation::Triangulated ||
+  if (interpolation_ != Interpolation::Triangulated ||
       diagonal_ != terrain::Diagonal::Alternating ||
       heights.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
     return std::nullopt;
   }
-  return LaneHeights{heights.as_floats()->values().data(),
-                     heights.columns(),
-                     static_cast<double>(field_->cell_columns()),
-                     static_cast<double>(field_->cell_rows()),
-                     columns_per_m_,
-                     rows_per_m_};
+  return LaneHeights{terrain::stored(heights), static_cast<double>(field_->cell_columns()),
+                     static_cast<double>(field_->cell_rows()), columns_per_m_, rows_per_m_};
 }
 
 double HeightLookup::alpha_at(double x_m, double y_m) const {

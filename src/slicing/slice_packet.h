@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/instruction_set.h"
+#include "terrain/stored_heights.h"
 
 namespace plumb::slicing {
 
@@ -13,8 +14,7 @@ struct SliceBundle;
 
 /// Heights on triangles whose diagonals alternate; at most 2^31 - 1 samples.
 struct LaneHeights {
-  const float* heights_m = nullptr;  // row by row
-  std::int32_t columns = 0;          // of samples
+  terrain::StoredHeights samples;
   double cell_columns = 0.0, cell_rows = 0.0;
   double columns_per_m = 0.0, rows_per_m = 0.0;
 };

@@ -3,6 +3,7 @@
 
 #include "slicing/slice_packet.h"
 #include "slicing/slicing_cut.h"
+#include "terrain/lane_heights.h"
 
 namespace plumb::slicing {
 namespace {
@@ -18,9 +19,9 @@ struct Ground {
 };
 
 // HeightLookup::height_m, triangulated, in the lanes that are asked for.
-template <class L>
-PLUMB_INLINE Ground<L> ground_at(const LaneHeights& h, typename L::Real x, typename L::Real y,
-                                 typename L::Mask asked) {
+template <class L, class Samples>
+PLUMB_INLINE Ground<L> ground_at(const LaneHeights& h, const Samples& samples, typename L::Real x,
+                                 typename L::Real y, typename L::Mask asked) {
   using Real = typename L::Real;
   const Real zero = L::all(0.0), one = L::all(1.0), rim = L::all(1e-9);
   const Real nothing = L::all(__builtin_nan(""));
@@ -34,9 +35,8 @@ PLUMB_INLINE Ground<L> ground_at(const LaneHeights& h, typename L::Real x, typen
   v = L::least(L::greatest(v, zero), rows);
   const Real i = L::least(L::floor(u), columns - one), j = L::least(L::floor(v), rows - one);
   const Real a = u - i, b = v - j;
-  const Real index = j * L::all(h.columns) + i;
-  const auto south = L::template gather<1>(h.heights_m, index, asked);
-  const auto north = L::template gather<1>(h.heights_m + h.columns, index, asked);
+  const Real index = j * L::all(h.samples.columns) + i;
+  const auto south = samples.south(index, asked), north = samples.north(index, asked);
   const Real sw = south.first, se = south.second, nw = north.first, ne = north.second;
 
   const Real half = L::all(0.5), place = i + j;
@@ -50,13 +50,14 @@ PLUMB_INLINE Ground<L> ground_at(const LaneHeights& h, typename L::Real x, typen
 }
 
 // One ray a lane.
-template <class L>
+template <class L, class Samples>
 class LaneSlicer {
   using Real = typename L::Real;
   using Mask = typename L::Mask;
 
  public:
-  LaneSlicer(const PacketScene& scene, const SlicePacket& packet, int first) : scene_(scene) {
+  LaneSlicer(const PacketScene& scene, const SlicePacket& packet, int first)
+      : scene_(scene), samples_(scene.heights.samples) {
     for (int k = 0; k < 3; ++k) {
       eye_[k] = L::all(scene.eye_m[k]);
       direction_[k] = L::load(packet.direction[k] + first);
@@ -313,7 +314,7 @@ class LaneSlicer {
     const Real least_z = L::all(bundle.least_z_m), greatest_z = L::all(bundle.greatest_z_m);
     z = L::choose(L::less(lowered, least_z), least_z,
                   L::choose(L::less(greatest_z, lowered), greatest_z, lowered));
-    ground = ground_at<L>(scene_.heights, point[0], point[1], asked);
+    ground = ground_at<L>(scene_.heights, samples_, point[0], point[1], asked);
     const Mask passes = L::less_equal(z, ground.height_m);
     const Real mine = L::all(static_cast<double>(number));
     const Mask nearer =
@@ -324,6 +325,7 @@ class LaneSlicer {
   }
 
   const PacketScene& scene_;
+  Samples samples_;
   Real eye_[3], direction_[3], inverse_[3];
   Real across_;  // length of the direction's horizontal part
   Mask live_;
@@ -331,12 +333,21 @@ class LaneSlicer {
   int east_, north_;
 };
 
-template <class L>
-void slice_packet_of(const PacketScene& scene, SlicePacket& packet) {
+template <class L, class Samples>
+void slice_lanes(const PacketScene& scene, SlicePacket& packet) {
   for (int first = 0; first < packet.count; first += L::kCount) {
-    LaneSlicer<L> slicer(scene, packet, first);
+    LaneSlicer<L, Samples> slicer(scene, packet, first);
     slicer.run();
     slicer.store(packet, first);
+  }
+}
+
+template <class L>
+void slice_packet_of(const PacketScene& scene, SlicePacket& packet) {
+  if (scene.heights.samples.codes) {
+    slice_lanes<L, terrain::LaneCodes<L>>(scene, packet);
+  } else {
+    slice_lanes<L, terrain::LaneFloats<L>>(scene, packet);
   }
 }
 

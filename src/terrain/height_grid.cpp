@@ -4,6 +4,7 @@
 
 #include "core/check.h"
 #include "core/parallel.h"
+#include "terrain/stored_heights.h"
 
 namespace plumb::terrain {
 bool HeightCoding::is_usable() const {
@@ -69,6 +70,21 @@ bool operator==(const HeightGrid& a, const HeightGrid& b) {
     if (!std::equal(one.begin(), one.end(), other.begin())) return false;
   }
   return true;
+}
+
+StoredHeights stored(const HeightGrid& heights) {
+  StoredHeights where;
+  where.columns = heights.columns();
+  if (heights.is_coded()) {
+    where.codes = heights.as_codes()->values().data();
+    where.code_first = heights.coding().first;
+    where.void_code = heights.coding().void_code;
+    where.code_scale = heights.coding().scale;
+    where.code_offset = heights.coding().offset_m;
+  } else {
+    where.floats = heights.as_floats()->values().data();
+  }
+  return where;
 }
 
 }  // namespace plumb::terrain

@@ -15,6 +15,7 @@
 #include "reference/surface_height.h"
 #include "slicing/branch_walk.h"
 #include "slicing/hybrid_frame.h"
+#include "support/coded_terrain.h"
 #include "support/every_quad.h"
 #include "support/random_slices.h"
 
@@ -109,7 +110,8 @@ TEST(RaySlicer, SeesWhatALoopOverEveryPlaneSees) {
   Random random(41);
   std::int64_t hits = 0;
   for (std::uint32_t round = 0; round < 120; ++round) {
-    const Heightfield field = test_support::random_ground(random, round);
+    Heightfield field = test_support::random_ground(random, round);
+    if (random.chance(0.4)) field = test_support::coded_twins(random, field).coded;
     const SlicingTree tree(field, Diagonal::Alternating, random.chance(0.5) ? 8 : 4);
     const Camera camera =
         relative_to(test_support::random_view(random, field), field.world_origin_m());
