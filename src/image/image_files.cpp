@@ -9,6 +9,7 @@
 
 #include "core/atomic_file.h"
 #include "core/check.h"
+#include "image/plane_image.h"
 #include "image/srgb.h"
 
 namespace plumb::image {
@@ -56,6 +57,16 @@ std::unique_ptr<OIIO::ImageInput> open(const fs::path& path) {
                        spec.depth, spec.nchannels));
   }
   return input;
+}
+
+void require_whole_picture(const OIIO::ImageSpec& spec, const fs::path& path) {
+  if (spec.x == spec.full_x && spec.y == spec.full_y && spec.width == spec.full_width &&
+      spec.height == spec.full_height) {
+    return;
+  }
+  cannot("read", path,
+         fmt::format("its data window of {} x {} pixels is not its whole picture of {} x {}",
+                     spec.width, spec.height, spec.full_width, spec.full_height));
 }
 
 template <class T>
@@ -146,12 +157,7 @@ void write_exr(const fs::path& path, const AovImage& image) {
 AovImage read_exr(const fs::path& path) {
   const auto input = open(path);
   const OIIO::ImageSpec& spec = input->spec();
-  if (spec.x != spec.full_x || spec.y != spec.full_y || spec.width != spec.full_width ||
-      spec.height != spec.full_height) {
-    cannot("read", path,
-           fmt::format("its data window of {} x {} pixels is not its whole picture of {} x {}",
-                       spec.width, spec.height, spec.full_width, spec.full_height));
-  }
+  require_whole_picture(spec, path);
   AovImage image;
   image.width_px = spec.width;
   image.height_px = spec.height;
@@ -221,6 +227,49 @@ ColourImage read_colour(const fs::path& path) {
     image.g[k] = light(g);
     image.b[k] = light(b);
   });
+  return image;
+}
+
+const char* name_of(Encoding encoding) { return encoding == Encoding::Srgb ? "sRGB" : "linear"; }
+
+const Plane* PlaneImage::find(std::string_view name) const {
+  const auto found = std::find_if(planes.begin(), planes.end(),
+                                  [&](const Plane& plane) { return plane.name == name; });
+  return found == planes.end() ? nullptr : &*found;
+}
+
+PlaneImage read_planes(const fs::path& path) {
+  const auto input = open(path);
+  const OIIO::ImageSpec spec = input->spec();
+  require_whole_picture(spec, path);
+  const bool linear = spec.format.is_floating_point();
+  if (!linear && spec.format != OIIO::TypeDesc::UINT8 && spec.format != OIIO::TypeDesc::UINT16) {
+    cannot("read", path,
+           fmt::format("expected 8 or 16 bits a channel, or floats, got {}", spec.format.c_str()));
+  }
+  PlaneImage image;
+  image.width_px = spec.width;
+  image.height_px = spec.height;
+  image.encoding = linear ? Encoding::Linear : Encoding::Srgb;
+  image.bits = linear ? 0 : static_cast<int>(8 * spec.format.size());
+  image.metadata = get_metadata(spec);
+  for (const std::string& name : spec.channelnames)
+    image.planes.push_back({name, std::vector<float>(image.size())});
+  const auto stride = static_cast<std::size_t>(spec.nchannels);
+  const auto put = [&](const auto& pixels, double scale) {
+    for (std::size_t k = 0; k < image.size(); ++k) {
+      for (std::size_t c = 0; c < stride; ++c)
+        image.planes[c].values[k] = static_cast<float>(pixels[k * stride + c] / scale);
+    }
+  };
+  if (linear) {
+    put(read_pixels<float>(*input, path, OIIO::TypeDesc::FLOAT), 1.0);
+  } else if (image.bits == 8) {
+    put(read_pixels<std::uint8_t>(*input, path, OIIO::TypeDesc::UINT8), 255.0);
+  } else {
+    put(read_pixels<std::uint16_t>(*input, path, OIIO::TypeDesc::UINT16), 65535.0);
+  }
+  if (input->seek_subimage(1, 0)) cannot("read", path, "it has more than one part");
   return image;
 }
 

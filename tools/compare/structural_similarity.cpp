@@ -1,0 +1,127 @@
+#include "compare/structural_similarity.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "core/check.h"
+#include "core/parallel.h"
+#include "core/reproducible_math.h"
+
+namespace plumb::compare {
+namespace {
+
+constexpr int kWindow = 11;
+constexpr double kSigma = 1.5;
+constexpr double kC1 = 0.01 * 0.01, kC2 = 0.03 * 0.03;
+
+// Weights of `length` <= kWindow neighbours around the middle; their sum is one.
+std::vector<double> gaussian(int length) {
+  std::vector<double> weights(static_cast<std::size_t>(length));
+  double sum = 0.0;
+  for (int k = 0; k < length; ++k) {
+    const double x = k - 0.5 * (length - 1);
+    sum += weights[static_cast<std::size_t>(k)] =
+        reproducible_exp(-x * x / (2.0 * kSigma * kSigma));
+  }
+  for (double& weight : weights) weight /= sum;
+  return weights;
+}
+
+// Weighted means in a window: of both pictures, their squares and their product.
+constexpr int kMoments = 5;
+using Moments = std::array<double, kMoments>;
+
+// Rows of the moments, filtered along the rows.
+class RowFilter {
+ public:
+  RowFilter(const Grid<float>& a, const Grid<float>& b, const std::vector<double>& across)
+      : a_(a), b_(b), across_(across) {}
+
+  // One after the other kMoments rows of `windows` numbers.
+  void fill(int row, std::vector<double>& out) const {
+    const auto windows = static_cast<std::size_t>(a_.columns()) - across_.size() + 1;
+    out.assign(kMoments * windows, 0.0);
+    const auto x = a_.row(row), y = b_.row(row);
+    for (std::size_t k = 0; k < across_.size(); ++k) {
+      const double weight = across_[k];
+      for (std::size_t w = 0; w < windows; ++w) {
+        const double p = x[w + k], q = y[w + k];
+        out[w] += weight * p;
+        out[windows + w] += weight * q;
+        out[2 * windows + w] += weight * (p * p);
+        out[3 * windows + w] += weight * (q * q);
+        out[4 * windows + w] += weight * (p * q);
+      }
+    }
+  }
+
+ private:
+  const Grid<float>&a_, &b_;
+  const std::vector<double>& across_;
+};
+
+double similarity(const Moments& m) {
+  const auto [x, y, xx, yy, xy] = m;
+  const double variance_x = xx - x * x, variance_y = yy - y * y, covariance = xy - x * y;
+  return (2.0 * x * y + kC1) * (2.0 * covariance + kC2) /
+         ((x * x + y * y + kC1) * (variance_x + variance_y + kC2));
+}
+
+struct Found {
+  double sum = 0.0;
+  StructuralSimilarity best;
+};
+
+}  // namespace
+
+StructuralSimilarity structural_similarity(const Grid<float>& reference,
+                                           const Grid<float>& candidate) {
+  const int columns = reference.columns(), rows = reference.rows();
+  require(columns >= 1 && rows >= 1 && columns == candidate.columns() && rows == candidate.rows(),
+          "two pictures must be of one size, at least 1 x 1, got {} x {} and {} x {}", columns,
+          rows, candidate.columns(), candidate.rows());
+  const std::vector<double> across = gaussian(std::min(kWindow, columns)),
+                            down = gaussian(std::min(kWindow, rows));
+  const int windows_x = columns - static_cast<int>(across.size()) + 1,
+            windows_y = rows - static_cast<int>(down.size()) + 1;
+  const RowFilter filter(reference, candidate, across);
+  const auto width = static_cast<std::size_t>(windows_x);
+  std::vector<Found> of_row(static_cast<std::size_t>(windows_y));
+  constexpr int kBand = 32;  // rows of windows that share filtered rows
+  const int bands = (windows_y + kBand - 1) / kBand;
+  parallel_for(bands, 1, [&](std::int64_t band) {
+    const int first = static_cast<int>(band) * kBand, end = std::min(first + kBand, windows_y);
+    const int needed = end - first + static_cast<int>(down.size()) - 1;
+    std::vector<std::vector<double>> filtered(static_cast<std::size_t>(needed));
+    for (int k = 0; k < needed; ++k) filter.fill(first + k, filtered[static_cast<std::size_t>(k)]);
+    std::vector<double> sums;
+    for (int row = first; row < end; ++row) {
+      sums.assign(kMoments * width, 0.0);
+      for (std::size_t k = 0; k < down.size(); ++k) {
+        const std::vector<double>& from = filtered[static_cast<std::size_t>(row - first) + k];
+        for (std::size_t w = 0; w < sums.size(); ++w) sums[w] += down[k] * from[w];
+      }
+      Found& found = of_row[static_cast<std::size_t>(row)];
+      for (std::size_t w = 0; w < width; ++w) {
+        const double here = similarity({sums[w], sums[width + w], sums[2 * width + w],
+                                        sums[3 * width + w], sums[4 * width + w]});
+        found.sum += here;
+        if (here < found.best.least) {
+          found.best.least = here;
+          found.best.least_x = static_cast<int>(w + across.size() / 2);
+          found.best.least_y = row + static_cast<int>(down.size() / 2);
+        }
+      }
+    }
+  });
+  Found all;
+  for (const Found& row : of_row) {
+    all.sum += row.sum;
+    if (row.best.least < all.best.least) all.best = row.best;
+  }
+  all.best.mean = all.sum / (static_cast<double>(windows_x) * windows_y);
+  return all.best;
+}
+
+}  // namespace plumb::compare
