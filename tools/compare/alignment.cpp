@@ -1,0 +1,196 @@
+#include "compare/alignment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "core/check.h"
+#include "core/parallel.h"
+
+namespace plumb::compare {
+namespace {
+
+constexpr int kFarthest = 3;  // pixels of whole shifts that are tried
+constexpr int kRim = kFarthest + 2;
+constexpr int kLeastSide = 16;
+
+// Bilinear, (x, y) in samples; the place lies inside.
+double at(const Grid<float>& picture, double x, double y) {
+  const int i = std::min(static_cast<int>(x), picture.columns() - 2);
+  const int j = std::min(static_cast<int>(y), picture.rows() - 2);
+  const double a = x - i, b = y - j;
+  return (1.0 - b) * ((1.0 - a) * picture(i, j) + a * picture(i + 1, j)) +
+         b * ((1.0 - a) * picture(i, j + 1) + a * picture(i + 1, j + 1));
+}
+
+// Sums for one step towards the best shift, over all pixels but the rim's.
+struct Normal {
+  double xx = 0.0, xy = 0.0, yy = 0.0, xd = 0.0, yd = 0.0, dd = 0.0;
+  std::int64_t count = 0;
+
+  void add(const Normal& other) {
+    xx += other.xx;
+    xy += other.xy;
+    yy += other.yy;
+    xd += other.xd;
+    yd += other.yd;
+    dd += other.dd;
+    count += other.count;
+  }
+  double rms() const { return count > 0 ? std::sqrt(dd / static_cast<double>(count)) : 0.0; }
+};
+
+// Reference moved by `by`, candidate by `back`. What differs by more than `most` counts as that
+// much and has no say in where to go: outlines that a sampler took for one side or the other.
+Normal sums(const Grid<float>& reference, const Grid<float>& candidate, const glm::dvec2& by,
+            const glm::dvec2& back, double most) {
+  return parallel_ordered_reduce(
+      reference.rows() - 2 * kRim, 16, Normal{},
+      [&](std::int64_t begin, std::int64_t end, Normal normal) {
+        for (auto row = static_cast<int>(begin) + kRim; row < static_cast<int>(end) + kRim; ++row) {
+          for (int column = kRim; column < reference.columns() - kRim; ++column) {
+            const double x = column - by.x, y = row - by.y, u = column - back.x, v = row - back.y;
+            const double difference = at(candidate, u, v) - at(reference, x, y);
+            ++normal.count;
+            normal.dd += std::min(difference * difference, most * most);
+            if (!(std::abs(difference) <= most)) continue;
+            // Change of the two pictures' mean along x and y.
+            const double dx = 0.25 * (at(reference, x + 1.0, y) - at(reference, x - 1.0, y) +
+                                      at(candidate, u + 1.0, v) - at(candidate, u - 1.0, v));
+            const double dy = 0.25 * (at(reference, x, y + 1.0) - at(reference, x, y - 1.0) +
+                                      at(candidate, u, v + 1.0) - at(candidate, u, v - 1.0));
+            normal.xx += dx * dx;
+            normal.xy += dx * dy;
+            normal.yy += dy * dy;
+            normal.xd += dx * difference;
+            normal.yd += dy * difference;
+          }
+        }
+        return normal;
+      },
+      [](Normal a, const Normal& b) {
+        a.add(b);
+        return a;
+      });
+}
+
+// Root mean square difference at a whole shift, of every fourth row.
+double rms_at(const Grid<float>& reference, const Grid<float>& candidate, int di, int dj) {
+  const int rows = (reference.rows() - 2 * kRim + 3) / 4;
+  const double sum = parallel_ordered_reduce(
+      rows, 16, 0.0,
+      [&](std::int64_t begin, std::int64_t end, double value) {
+        for (auto k = static_cast<int>(begin); k < static_cast<int>(end); ++k) {
+          const int j = kRim + 4 * k;
+          for (int i = kRim; i < reference.columns() - kRim; ++i) {
+            const double d = double{candidate(i + di, j + dj)} - double{reference(i, j)};
+            value += d * d;
+          }
+        }
+        return value;
+      },
+      [](double a, double b) { return a + b; });
+  return sum;
+}
+
+// What nine tenths of the differences at a whole shift are no larger than.
+double usual_difference(const Grid<float>& reference, const Grid<float>& candidate, int di,
+                        int dj) {
+  std::vector<float> differences;
+  for (int j = kRim; j < reference.rows() - kRim; j += 2) {
+    for (int i = kRim; i < reference.columns() - kRim; ++i)
+      differences.push_back(std::abs(candidate(i + di, j + dj) - reference(i, j)));
+  }
+  const auto place = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() * 9 / 10);
+  std::nth_element(differences.begin(), place, differences.end());
+  return *place;
+}
+
+glm::dvec2 best_whole_shift(const Grid<float>& reference, const Grid<float>& candidate) {
+  glm::dvec2 best(0.0);
+  double least = rms_at(reference, candidate, 0, 0);
+  for (int dj = -kFarthest; dj <= kFarthest; ++dj) {
+    for (int di = -kFarthest; di <= kFarthest; ++di) {
+      const double here = rms_at(reference, candidate, di, dj);
+      if (!(here < least)) continue;
+      least = here;
+      best = {di, dj};
+    }
+  }
+  return best;
+}
+
+glm::dvec2 step(const Normal& n) {
+  const double determinant = n.xx * n.yy - n.xy * n.xy;
+  // A picture without structure in some direction says nothing of a shift along it.
+  if (!(determinant > 1e-9 * n.xx * n.yy) || n.count == 0) return glm::dvec2(0.0);
+  return {-(n.yy * n.xd - n.xy * n.yd) / determinant, -(n.xx * n.yd - n.xy * n.xd) / determinant};
+}
+
+}  // namespace
+
+Shift find_shift(const Grid<float>& reference, const Grid<float>& candidate) {
+  require(reference.columns() == candidate.columns() && reference.rows() == candidate.rows(),
+          "two pictures must be of one size");
+  Shift shift;
+  if (std::min(reference.columns(), reference.rows()) < kLeastSide) return shift;
+  glm::dvec2 by = best_whole_shift(reference, candidate);
+  const double near_best =
+      usual_difference(reference, candidate, static_cast<int>(by.x), static_cast<int>(by.y));
+  for (int round = 0; round < 4; ++round) {
+    const glm::dvec2 change = step(sums(reference, candidate, 0.5 * by, -0.5 * by, near_best));
+    const double longest = std::max(std::abs(change.x), std::abs(change.y));
+    if (!(longest < 1.0)) break;  // no small step: the pictures are too different for one
+    by = glm::dvec2(std::clamp(by.x + change.x, -3.5, 3.5), std::clamp(by.y + change.y, -3.5, 3.5));
+    if (longest < 1e-3) break;
+  }
+  shift.by_px = by;
+  const double usual = usual_difference(reference, candidate, 0, 0);
+  shift.rms_after = sums(reference, candidate, 0.5 * by, -0.5 * by, usual).rms();
+  shift.rms_before = sums(reference, candidate, 0.5 * by, 0.5 * by, usual).rms();
+  return shift;
+}
+
+namespace {
+
+constexpr int kSquare = 4;
+
+// Mean of the 4 x 4 pixels of a square; nothing where it leaves the picture.
+std::optional<double> mean_around(const Grid<float>& picture, double x, double y, double spread) {
+  double sum = 0.0;
+  for (int j = 0; j < kSquare; ++j) {
+    for (int i = 0; i < kSquare; ++i) {
+      const double u = x + spread * (i - 0.5 * (kSquare - 1)),
+                   v = y + spread * (j - 0.5 * (kSquare - 1));
+      if (!(u >= 0.0 && v >= 0.0 && u <= picture.columns() - 1.0 && v <= picture.rows() - 1.0))
+        return std::nullopt;
+      sum += at(picture, u, v);
+    }
+  }
+  return sum / (kSquare * kSquare);
+}
+
+}  // namespace
+
+double rms_enlarged(const Grid<float>& reference, const Grid<float>& candidate, double factor) {
+  require(factor > 0.0, "a factor must be > 0, got {}", factor);
+  if (std::min(reference.columns(), reference.rows()) < kLeastSide) return 0.0;
+  const double middle_x = 0.5 * (reference.columns() - 1), middle_y = 0.5 * (reference.rows() - 1);
+  double sum = 0.0;
+  std::int64_t count = 0;
+  for (int j = 0; j + kSquare <= reference.rows(); j += kSquare) {
+    for (int i = 0; i + kSquare <= reference.columns(); i += kSquare) {
+      const double x = i + 0.5 * (kSquare - 1), y = j + 0.5 * (kSquare - 1);
+      const auto there = mean_around(reference, middle_x + (x - middle_x) / factor,
+                                     middle_y + (y - middle_y) / factor, 1.0 / factor);
+      const auto here = mean_around(candidate, x, y, 1.0);
+      if (!there || !here) continue;
+      sum += (*here - *there) * (*here - *there);
+      ++count;
+    }
+  }
+  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0;
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,30 @@
+// By how many pixels, or by which factor, one picture is another one moved.
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "core/grid.h"
+
+namespace plumb::compare {
+
+/// A shift and what it explains.
+struct Shift {
+  glm::dvec2 by_px{0.0};  // the candidate at p + by_px looks like the reference at p; y downwards
+  double rms_before = 0.0;
+  double rms_after = 0.0;  // of both pictures moved half of the way towards each other
+};
+
+/// The shift within 3.5 pixels, in x and in y, that leaves the smallest root mean square
+/// difference. Pictures are of finite numbers, row 0 at the top, of one size; smaller ones than
+/// 16 x 16 are not shifted. `rms_before` is of the two as blurred as the moved ones are, so that a
+/// blur explains nothing; in both the tenth of the pixels that differ most count as the least of
+/// them, so that outlines that fell on the other side of a pixel's middle do not drown the rest.
+/// Same bits on any number of threads.
+Shift find_shift(const Grid<float>& reference, const Grid<float>& candidate);
+
+/// Root mean square difference of the candidate and the reference enlarged by `factor` > 0 around
+/// the picture's middle, each averaged over squares of 4 x 4 pixels, where both have something.
+/// A factor of 1 is the difference as they are.
+double rms_enlarged(const Grid<float>& reference, const Grid<float>& candidate, double factor);
+
+}  // namespace plumb::compare

@@ -1,0 +1,188 @@
+#include "compare/diagnosis.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "compare/alignment.h"
+#include "compare/value_models.h"
+#include "core/parallel.h"
+#include "image/camera_metadata.h"
+#include "image/srgb.h"
+
+namespace plumb::compare {
+namespace {
+
+using image::Plane;
+using image::PlaneImage;
+
+// What is left of a difference that is named.
+constexpr double kMostLeft = 0.5;
+// A jitter of a tenth of a pixel, that two samplers may have, is no shift.
+constexpr double kLeastShift_px = 0.2;
+
+class Findings {
+ public:
+  void offer(Systematic kind, double before, double after, std::string text) {
+    if (before > 0.0 && after <= kMostLeft * before)
+      found_.push_back({kind, std::move(text), before, after});
+  }
+  std::vector<Diagnosis> sorted() {
+    std::stable_sort(found_.begin(), found_.end(), [](const Diagnosis& a, const Diagnosis& b) {
+      return a.rms_after / a.rms_before < b.rms_after / b.rms_before;
+    });
+    return std::move(found_);
+  }
+
+ private:
+  std::vector<Diagnosis> found_;
+};
+
+std::vector<PlanePair> colour_pairs(const PlaneImage& reference, const PlaneImage& candidate) {
+  std::vector<PlanePair> pairs;
+  for (const char* name : {"R", "G", "B", "Y"}) {
+    const Plane *a = reference.find(name), *b = candidate.find(name);
+    if (a != nullptr && b != nullptr) pairs.push_back({a->values, b->values});
+  }
+  return pairs;
+}
+
+void look_at_values(const std::vector<PlanePair>& pairs, Findings& findings) {
+  const double before = rms_of(pairs, [](double x) { return x; });
+  const LineFit fit = fit_line(pairs);
+  const double offset = fit.mean_candidate - fit.mean_reference;
+  findings.offer(Systematic::Offset, before, rms_of(pairs, [&](double x) { return x + offset; }),
+                 fmt::format("the candidate is the reference plus {:.4g}", offset));
+  findings.offer(Systematic::Gain, before, rms_of(pairs, [&](double x) { return fit.gain * x; }),
+                 fmt::format("the candidate is the reference times {:.4g}", fit.gain));
+  const auto clamped = [](double x) { return std::clamp(x, 0.0, 1.0); };
+  findings.offer(
+      Systematic::LinearAsSrgb, before,
+      rms_of(pairs, [&](double x) { return image::srgb_to_linear(clamped(x)); }),
+      "the candidate holds linear light where the reference holds sRGB: it was not encoded");
+  findings.offer(Systematic::SrgbAsLinear, before,
+                 rms_of(pairs, [&](double x) { return linear_to_srgb(clamped(x)); }),
+                 "the candidate holds sRGB where the reference holds linear light: it was encoded "
+                 "twice, or should not have been");
+  if (const std::optional<double> power = fit_power(pairs)) {
+    findings.offer(Systematic::Gamma, before,
+                   rms_of(pairs, [&](double x) { return power_of(clamped(x), *power); }),
+                   fmt::format("the candidate is the reference to the power of {:.4g}", *power));
+  }
+}
+
+Grid<float> flipped(const Grid<float>& picture, bool rows) {
+  Grid<float> result(picture.columns(), picture.rows());
+  for (int j = 0; j < picture.rows(); ++j) {
+    for (int i = 0; i < picture.columns(); ++i) {
+      result(i, j) =
+          rows ? picture(i, picture.rows() - 1 - j) : picture(picture.columns() - 1 - i, j);
+    }
+  }
+  return result;
+}
+
+double rms_between(const Grid<float>& a, const Grid<float>& b) {
+  return rms_of({PlanePair{a.values(), b.values()}}, [](double x) { return x; });
+}
+
+void look_at_places(const Grid<float>& reference, const Grid<float>& candidate,
+                    Findings& findings) {
+  const double before = rms_between(reference, candidate);
+  if (!(before > 0.0)) return;
+  findings.offer(Systematic::FlippedY, before, rms_between(flipped(reference, true), candidate),
+                 "the candidate is the reference upside down");
+  findings.offer(Systematic::FlippedX, before, rms_between(flipped(reference, false), candidate),
+                 "the candidate is the reference with left and right changed");
+  const Shift shift = find_shift(reference, candidate);
+  if (std::max(std::abs(shift.by_px.x), std::abs(shift.by_px.y)) >= kLeastShift_px) {
+    findings.offer(Systematic::Shift, shift.rms_before, shift.rms_after,
+                   fmt::format("the candidate is the reference shifted by ({:.2f}, {:.2f}) px, to "
+                               "the right and down",
+                               shift.by_px.x, shift.by_px.y));
+  }
+  const double aspect = static_cast<double>(reference.columns()) / reference.rows();
+  if (std::abs(aspect - 1.0) < 0.01) return;
+  const double as_they_are = rms_enlarged(reference, candidate, 1.0);
+  for (const double factor : {aspect, 1.0 / aspect}) {
+    findings.offer(
+        Systematic::FieldOfViewAxis, as_they_are, rms_enlarged(reference, candidate, factor),
+        fmt::format(
+            "the candidate is the reference {} {:.4g} times around its middle: its angle of "
+            "view was taken for the other axis",
+            factor > 1.0 ? "enlarged" : "made smaller", factor > 1.0 ? factor : 1.0 / factor));
+  }
+}
+
+// Length of the ray of view depth one through each pixel.
+std::vector<float> ray_lengths(const Camera& camera) {
+  std::vector<float> lengths(static_cast<std::size_t>(camera.width_px) * camera.height_px);
+  for (int y = 0; y < camera.height_px; ++y) {
+    for (int x = 0; x < camera.width_px; ++x) {
+      const glm::dvec3 d = ray_direction(camera, x + 0.5, y + 0.5);
+      lengths[static_cast<std::size_t>(y) * camera.width_px + static_cast<std::size_t>(x)] =
+          static_cast<float>(std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z));
+    }
+  }
+  return lengths;
+}
+
+void look_at_depth(const PlaneImage& reference, const PlaneImage& candidate, Findings& findings) {
+  const Plane *a = reference.find("Z"), *b = candidate.find("Z");
+  if (a == nullptr || b == nullptr) return;
+  const std::vector<PlanePair> pairs{{a->values, b->values}};
+  const double before = rms_of(pairs, [](double x) { return x; });
+  const LineFit line = fit_line(pairs);
+  findings.offer(Systematic::DepthScale, before,
+                 rms_of(pairs, [&](double x) { return line.slope * x + line.intercept; }),
+                 fmt::format("the candidate's depth is the reference's times {:.6g} plus {:.4g} m",
+                             line.slope, line.intercept));
+  std::vector<float> inverse(a->values.size());
+  std::transform(a->values.begin(), a->values.end(), inverse.begin(),
+                 [](float z) { return 1.0f / z; });
+  const std::vector<PlanePair> inverted{{inverse, b->values}};
+  const LineFit window = fit_line(inverted);
+  findings.offer(
+      Systematic::WindowDepth, before,
+      rms_of(inverted, [&](double x) { return window.slope * x + window.intercept; }),
+      fmt::format("the candidate's depth is {:.6g} {:+.6g} / the reference's: window depth, {}",
+                  window.intercept, window.slope,
+                  window.slope > 0.0 ? "reversed" : "not along the view"));
+  const std::optional<Camera> camera = image::camera_of(reference.metadata);
+  if (!camera || static_cast<std::size_t>(camera->width_px) * camera->height_px != reference.size())
+    return;
+  const std::vector<float> lengths = ray_lengths(*camera);
+  std::vector<float> distances(lengths.size());
+  for (std::size_t k = 0; k < lengths.size(); ++k) distances[k] = lengths[k] * a->values[k];
+  findings.offer(Systematic::DistanceAsDepth, before,
+                 rms_of({PlanePair{distances, b->values}}, [](double x) { return x; }),
+                 "the candidate's depth is the distance along the ray");
+}
+
+}  // namespace
+
+Grid<float> luma_of(const PlaneImage& picture) {
+  const Plane *r = picture.find("R"), *g = picture.find("G"), *b = picture.find("B");
+  if (r == nullptr || g == nullptr || b == nullptr) r = g = b = picture.find("Y");
+  if (r == nullptr) return {};
+  Grid<float> luma(picture.width_px, picture.height_px);
+  for (std::size_t k = 0; k < picture.size(); ++k) {
+    const double y = 0.2126 * r->values[k] + 0.7152 * g->values[k] + 0.0722 * b->values[k];
+    luma.values()[k] = std::isfinite(y) ? static_cast<float>(y) : 0.0f;
+  }
+  return luma;
+}
+
+std::vector<Diagnosis> diagnose(const PlaneImage& reference, const PlaneImage& candidate) {
+  Findings findings;
+  if (const auto pairs = colour_pairs(reference, candidate); !pairs.empty()) {
+    look_at_values(pairs, findings);
+    look_at_places(luma_of(reference), luma_of(candidate), findings);
+  }
+  look_at_depth(reference, candidate, findings);
+  return findings.sorted();
+}
+
+}  // namespace plumb::compare
