@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <vector>
 
 #include "core/check.h"
 #include "core/parallel.h"
@@ -44,7 +43,7 @@ struct Normal {
 // Reference moved by `by`, candidate by `back`. What differs by more than `most` counts as that
 // much and has no say in where to go: outlines that a sampler took for one side or the other.
 Normal sums(const Grid<float>& reference, const Grid<float>& candidate, const glm::dvec2& by,
-            const glm::dvec2& back, double most) {
+            const glm::dvec2& back) {
   return parallel_ordered_reduce(
       reference.rows() - 2 * kRim, 16, Normal{},
       [&](std::int64_t begin, std::int64_t end, Normal normal) {
@@ -53,8 +52,7 @@ Normal sums(const Grid<float>& reference, const Grid<float>& candidate, const gl
             const double x = column - by.x, y = row - by.y, u = column - back.x, v = row - back.y;
             const double difference = at(candidate, u, v) - at(reference, x, y);
             ++normal.count;
-            normal.dd += std::min(difference * difference, most * most);
-            if (!(std::abs(difference) <= most)) continue;
+            normal.dd += difference * difference;
             // Change of the two pictures' mean along x and y.
             const double dx = 0.25 * (at(reference, x + 1.0, y) - at(reference, x - 1.0, y) +
                                       at(candidate, u + 1.0, v) - at(candidate, u - 1.0, v));
@@ -94,19 +92,6 @@ double rms_at(const Grid<float>& reference, const Grid<float>& candidate, int di
   return sum;
 }
 
-// What nine tenths of the differences at a whole shift are no larger than.
-double usual_difference(const Grid<float>& reference, const Grid<float>& candidate, int di,
-                        int dj) {
-  std::vector<float> differences;
-  for (int j = kRim; j < reference.rows() - kRim; j += 2) {
-    for (int i = kRim; i < reference.columns() - kRim; ++i)
-      differences.push_back(std::abs(candidate(i + di, j + dj) - reference(i, j)));
-  }
-  const auto place = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() * 9 / 10);
-  std::nth_element(differences.begin(), place, differences.end());
-  return *place;
-}
-
 glm::dvec2 best_whole_shift(const Grid<float>& reference, const Grid<float>& candidate) {
   glm::dvec2 best(0.0);
   double least = rms_at(reference, candidate, 0, 0);
@@ -136,19 +121,16 @@ Shift find_shift(const Grid<float>& reference, const Grid<float>& candidate) {
   Shift shift;
   if (std::min(reference.columns(), reference.rows()) < kLeastSide) return shift;
   glm::dvec2 by = best_whole_shift(reference, candidate);
-  const double near_best =
-      usual_difference(reference, candidate, static_cast<int>(by.x), static_cast<int>(by.y));
   for (int round = 0; round < 4; ++round) {
-    const glm::dvec2 change = step(sums(reference, candidate, 0.5 * by, -0.5 * by, near_best));
+    const glm::dvec2 change = step(sums(reference, candidate, 0.5 * by, -0.5 * by));
     const double longest = std::max(std::abs(change.x), std::abs(change.y));
     if (!(longest < 1.0)) break;  // no small step: the pictures are too different for one
     by = glm::dvec2(std::clamp(by.x + change.x, -3.5, 3.5), std::clamp(by.y + change.y, -3.5, 3.5));
     if (longest < 1e-3) break;
   }
   shift.by_px = by;
-  const double usual = usual_difference(reference, candidate, 0, 0);
-  shift.rms_after = sums(reference, candidate, 0.5 * by, -0.5 * by, usual).rms();
-  shift.rms_before = sums(reference, candidate, 0.5 * by, 0.5 * by, usual).rms();
+  shift.rms_after = sums(reference, candidate, 0.5 * by, -0.5 * by).rms();
+  shift.rms_before = sums(reference, candidate, 0.5 * by, 0.5 * by).rms();
   return shift;
 }
 

@@ -17,9 +17,7 @@ struct Shift {
 /// The shift within 3.5 pixels, in x and in y, that leaves the smallest root mean square
 /// difference. Pictures are of finite numbers, row 0 at the top, of one size; smaller ones than
 /// 16 x 16 are not shifted. `rms_before` is of the two as blurred as the moved ones are, so that a
-/// blur explains nothing; in both the tenth of the pixels that differ most count as the least of
-/// them, so that outlines that fell on the other side of a pixel's middle do not drown the rest.
-/// Same bits on any number of threads.
+/// blur explains nothing. Same bits on any number of threads.
 Shift find_shift(const Grid<float>& reference, const Grid<float>& candidate);
 
 /// Root mean square difference of the candidate and the reference enlarged by `factor` > 0 around

@@ -31,9 +31,10 @@ struct Diagnosis {
   double rms_before = 0.0, rms_after = 0.0;
 };
 
-/// The systematic differences that leave at most half of the root mean square difference; the one
-/// that explains most first. Nothing for pictures that are equal, or that differ by noise, a level
-/// of detail or a hole: no constant, factor, power or shift explains those.
+/// The systematic differences that leave at most half of the root mean square difference (shifts: a
+/// little less than all, see the source); the one that explains most first. Nothing for pictures
+/// that are equal, or that differ by noise, a level of detail or a hole: no constant, factor, power
+/// or shift explains those.
 ///
 /// Colour is judged by its luma (Rec. 709, of the numbers as stored), depth by Z. The pictures are
 /// alike (image size and channels).

@@ -1,0 +1,26 @@
+// Where a picture shows what no small movement of the other one explains.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace plumb::compare {
+
+/// Of each pixel, the largest over all channels, in the planes' numbers.
+struct LocalDifference {
+  /// Beyond what the other picture holds within a quarter of a pixel, straight lines between its
+  /// pixels: 0 where the pictures differ by less than a sampler may move them. The smaller of both
+  /// directions (candidate in reference, reference in candidate).
+  std::vector<float> unexplained;
+  /// Beyond what its 3 x 3 pixels around hold: 0 where an outline fell on its other side. The
+  /// larger of both directions.
+  std::vector<float> out_of_range;
+};
+
+/// Planes of one size, width x height, finite numbers. Throws std::invalid_argument if sizes
+/// differ. Same bits on any number of threads.
+LocalDifference local_difference(std::span<const std::span<const float>> reference,
+                                 std::span<const std::span<const float>> candidate, int width_px,
+                                 int height_px);
+
+}  // namespace plumb::compare
