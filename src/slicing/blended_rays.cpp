@@ -20,28 +20,35 @@ double mean_of_decay(double x) {
   return (1.0 - reproducible_exp(-x)) / x;
 }
 
-// Fog on one ray.
+// Fog on one ray. Densities are taken at the lower end of what is looked through, where they are
+// greatest: a factor that vanishes times one without bound would be no number.
 class FogAlongRay {
  public:
   FogAlongRay(const BlendOptions& options, const glm::dvec3& eye_m, const glm::dvec3& direction)
       : is_there_(options.fog_per_m != 0.0) {
     if (!is_there_) return;
-    at_eye_ = options.fog_per_m *
-              reproducible_exp((options.fog_base_m - eye_m.z) / options.fog_height_m) *
-              std::sqrt(glm::dot(direction, direction));
-    fall_ = direction.z / options.fog_height_m;
+    most_ = options.fog_per_m * std::sqrt(glm::dot(direction, direction));
+    eye_heights_ = (eye_m.z - options.fog_base_m) / options.fog_height_m;
+    climb_ = direction.z / options.fog_height_m;
   }
 
   double transmittance(double t) const {
     if (!is_there_) return 1.0;
-    if (std::isinf(t)) return fall_ > 0.0 ? reproducible_exp(-at_eye_ / fall_) : 0.0;
-    return reproducible_exp(-at_eye_ * t * mean_of_decay(fall_ * t));
+    if (std::isinf(t)) return climb_ > 0.0 ? reproducible_exp(-density_at(0.0) / climb_) : 0.0;
+    const double lower_t = climb_ < 0.0 ? t : 0.0;
+    return reproducible_exp(-density_at(lower_t) * t * mean_of_decay(std::abs(climb_) * t));
   }
 
  private:
+  // Light lost on a unit of t.
+  double density_at(double t) const {
+    return most_ * reproducible_exp(-(eye_heights_ + climb_ * t));
+  }
+
   bool is_there_;
-  double at_eye_ = 0.0;  // light lost on a unit of t
-  double fall_ = 0.0;    // of its logarithm along t
+  double most_ = 0.0;         // at the base
+  double eye_heights_ = 0.0;  // above the base, in heights over which fog thins to 1/e
+  double climb_ = 0.0;        // of the ray, in the same, a unit of t
 };
 
 struct SoftFragment {
@@ -97,7 +104,8 @@ class SoftSlices {
     const SliceBundle& bundle = cut_.bundles[number];
     if (ray.direction[index_of(axis)] == 0.0) return;
     const PlanePoint met = meet_plane(ray, axis, at_m);
-    if (!(met.t >= near_t_ && met.t < last_t) || !is_on_quad(bundle, axis, met.point_m)) return;
+    if (!(met.t >= near_t_ && met.t < last_t) || !is_on_quad(bundle, kind, axis, met.point_m))
+      return;
     const FragmentHeight height = fragment_height(bundle, kind, axis, heights_, ray, met);
     const double above_m = height.tested_m - height.terrain_m;  // NaN over voids
     const double opacity = 1.0 - above_m / (falloff_per_t_ * met.t);

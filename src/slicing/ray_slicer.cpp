@@ -71,7 +71,7 @@ class RaySlicer {
     if (ray.direction[index_of(axis)] == 0.0) return false;
     const PlanePoint met = meet_plane(ray, axis, at_m);
     if (met.t > best.t) return true;
-    if (!(met.t >= all_.begin && met.t <= all_.end) || !is_on_quad(bundle, axis, met.point_m))
+    if (!(met.t >= all_.begin && met.t <= all_.end) || !is_on_quad(bundle, kind, axis, met.point_m))
       return false;
     ++tested;
     if (!passes(bundle, kind, axis, heights_, ray, met)) return false;

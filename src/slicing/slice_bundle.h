@@ -30,6 +30,8 @@ struct SliceBundle {
   Box reach;  // the node's box, and the borders
   double raise_m = 0.0;
   double closing_raise_m = 0.0;
+  double closing_rim_m = 0.0;  // by which closing quads are larger, lest a ray through the edge of
+                               // two miss both by a rounding
   double least_z_m = 0.0, greatest_z_m = 0.0;
   double steepest = std::numeric_limits<double>::infinity();  // no slope within its reach is, m/m
 

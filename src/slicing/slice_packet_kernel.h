@@ -181,7 +181,7 @@ class LaneSlicer {
     while (L::bits(open) != 0) {
       Real t, point[3], z;
       Ground<L> ground;
-      meet_quad(bundle, n, run.plane_m(place), t, point);
+      meet_quad(bundle, n, run.plane_m(place), 0.0, t, point);
       const Mask passes = see(number, t, point, bundle.raise_m, open, z, ground);
       tested_ = tested_ + L::choose(passes, place - run.first + one, L::all(0.0));
       open = L::without(open, passes);
@@ -198,7 +198,7 @@ class LaneSlicer {
   struct Strides {
     Real planes_per_m;  // fewer than take it to the ground from a metre above, on any slope
     Real slack_m;
-    Real columns, rows, up_m;            // moved
+    Real columns, rows, falls_m;         // moved
     Real planes_a_column, planes_a_row;  // that it takes to cross a cell
     Mask east, north;
   };
@@ -212,7 +212,8 @@ class LaneSlicer {
     s.slack_m = L::all(scene_.rounding_m * (1.0 + bundle.steepest));
     s.columns = t * direction_[0] * L::all(scene_.heights.columns_per_m);
     s.rows = t * direction_[1] * L::all(scene_.heights.rows_per_m);
-    s.up_m = t * direction_[2];
+    // A ray that climbs is tested no higher once it is at the top of its bundle.
+    s.falls_m = L::least(t * direction_[2], zero);
     s.planes_a_column = one / L::magnitude(s.columns);
     s.planes_a_row = one / L::magnitude(s.rows);
     s.east = L::less(zero, direction_[0]);
@@ -230,7 +231,7 @@ class LaneSlicer {
     const Real south = ground.se_m - ground.sw_m, north = ground.ne_m - ground.nw_m,
                west = ground.nw_m - ground.sw_m, east = ground.ne_m - ground.se_m;
     const Real rise = L::greatest(south * s.columns, north * s.columns) +
-                      L::greatest(west * s.rows, east * s.rows) - s.up_m;
+                      L::greatest(west * s.rows, east * s.rows) - s.falls_m;
     const Real spread =
         L::magnitude(south) + L::magnitude(north) + L::magnitude(west) + L::magnitude(east);
     const Real slack = L::all(scene_.rounding_m) + L::all(1e-9) * spread;
@@ -266,12 +267,12 @@ class LaneSlicer {
 
   PLUMB_INLINE Mask is_met(const Run& run, Real place) const {
     Real t, point[3];
-    return meet_quad(*run.bundle, run.n, run.plane_m(place), t, point);
+    return meet_quad(*run.bundle, run.n, run.plane_m(place), 0.0, t, point);
   }
 
-  // Where the rays meet a plane across axis `n`. Returns the lanes that meet it on its quad, and
-  // not behind what is seen already.
-  PLUMB_INLINE Mask meet_quad(const SliceBundle& bundle, int n, Real at, Real& t,
+  // Where the rays meet a plane across axis `n`. Returns the lanes that meet it on its quad, which
+  // is larger than the bundle's reach by rim_m, and not behind what is seen already.
+  PLUMB_INLINE Mask meet_quad(const SliceBundle& bundle, int n, Real at, double rim_m, Real& t,
                               Real* point) const {
     const double *low = &bundle.reach.low.x, *high = &bundle.reach.high.x;
     t = (at - eye_[n]) * inverse_[n];
@@ -284,8 +285,8 @@ class LaneSlicer {
         continue;
       }
       point[k] = eye_[k] + t * direction_[k];
-      met = L::both(met, L::both(L::less_equal(L::all(low[k]), point[k]),
-                                 L::less_equal(point[k], L::all(high[k]))));
+      met = L::both(met, L::both(L::less_equal(L::all(low[k] - rim_m), point[k]),
+                                 L::less_equal(point[k], L::all(high[k] + rim_m))));
     }
     return met;
   }
@@ -297,8 +298,8 @@ class LaneSlicer {
       const int n = quad / 2;
       Real t, point[3], z;
       Ground<L> ground;
-      const Mask met =
-          L::both(asked, meet_quad(bundle, n, L::all(quad % 2 == 0 ? low[n] : high[n]), t, point));
+      const Mask met = L::both(asked, meet_quad(bundle, n, L::all(quad % 2 == 0 ? low[n] : high[n]),
+                                                bundle.closing_rim_m, t, point));
       if (L::bits(met) == 0) continue;
       tested_ = tested_ + L::choose(met, L::all(1.0), L::all(0.0));
       see(number, t, point, bundle.closing_raise_m, met, z, ground);

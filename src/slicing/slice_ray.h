@@ -41,16 +41,18 @@ inline PlanePoint meet_plane(const SliceRay& ray, Axis axis, double at_m) {
   return met;
 }
 
+enum class QuadKind { Slice, Closing };
+
 /// True if the point lies on the quad that the bundle's reach cuts from its plane across `axis`.
-inline bool is_on_quad(const SliceBundle& bundle, Axis axis, const glm::dvec3& p) {
+inline bool is_on_quad(const SliceBundle& bundle, QuadKind kind, Axis axis, const glm::dvec3& p) {
+  const double rim_m = kind == QuadKind::Closing ? bundle.closing_rim_m : 0.0;
   for (int k = 0; k < 3; ++k) {
-    if (k != index_of(axis) && !(p[k] >= bundle.reach.low[k] && p[k] <= bundle.reach.high[k]))
+    if (k != index_of(axis) &&
+        !(p[k] >= bundle.reach.low[k] - rim_m && p[k] <= bundle.reach.high[k] + rim_m))
       return false;
   }
   return true;
 }
-
-enum class QuadKind { Slice, Closing };
 
 /// How many samples' distances the pixel spans on the plane, in its longer direction, as a texture
 /// unit asks for its level: one pixel further the ray meets the plane t (c - d c_n / d_n) further,

@@ -18,7 +18,8 @@ void for_each_quad_met(const slicing::SlicingCut& cut, const slicing::SliceRay& 
     const auto quad = [&](slicing::QuadKind kind, Axis axis, double at_m) {
       if (ray.direction[index_of(axis)] == 0.0) return;
       const slicing::PlanePoint met = meet_plane(ray, axis, at_m);
-      if (met.t >= near_m && is_on_quad(bundle, axis, met.point_m)) visit(number, kind, axis, met);
+      if (met.t >= near_m && is_on_quad(bundle, kind, axis, met.point_m))
+        visit(number, kind, axis, met);
     };
     for (int j = 0; j < bundle.count; ++j)
       quad(slicing::QuadKind::Slice, bundle.axis, bundle.plane_m(j));

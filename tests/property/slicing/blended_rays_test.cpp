@@ -167,6 +167,19 @@ TEST(Fog, LetsThroughWhatItsIntegralSays) {
   }
 }
 
+// From so high that there is no fog at the eye, down to where there is.
+TEST(Fog, IsFoundFarBelowTheEye) {
+  BlendOptions options;
+  options.fog_per_m = 0.01;
+  options.fog_height_m = 2.0;
+  const glm::dvec3 eye{0.0, 0.0, 5000.0};
+  // Straight down to the base: the integral of 0.01 e^(-z / 2) over z > 0 is 0.02.
+  EXPECT_NEAR(fog_transmittance(options, eye, {0.0, 0.0, -1.0}, 5000.0), std::exp(-0.02), 1e-12);
+  EXPECT_NEAR(fog_transmittance(options, {0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, 5000.0), std::exp(-0.02),
+              1e-12);
+  EXPECT_EQ(fog_transmittance(options, eye, {0.0, 0.0, -1.0}, 1000.0), 1.0);
+}
+
 TEST(Fog, EndsAboveAndNeverBelow) {
   BlendOptions options;
   options.fog_per_m = 1e-3;
