@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "core/check.h"
@@ -65,15 +66,42 @@ struct SoftFragment {
   }
 };
 
+// The same cut with every bundle as much higher as its fragments may be seen above the ground: a
+// slice ends where its opacity does, and not at the top of its box.
+SlicingCut raised(SlicingCut cut, const Camera& camera, double falloff_per_t) {
+  for (SliceBundle& bundle : cut.bundles) {
+    double farthest_t = 0.0;
+    for (int k = 0; k < 8; ++k)
+      farthest_t = std::max(farthest_t, to_view(camera, bundle.reach.corner(k)).z);
+    const double more_m = falloff_per_t * farthest_t;
+    bundle.reach.high.z += more_m;
+    bundle.greatest_z_m = std::numeric_limits<double>::infinity();
+    if (bundle.axis == Axis::Z && bundle.spacing_m > 0.0) {
+      constexpr double kMostMore = 1e6;  // planes
+      bundle.count += static_cast<int>(std::min(kMostMore, std::ceil(more_m / bundle.spacing_m)));
+    }
+  }
+  for (SliceBranch& branch : cut.branches) {  // those below come first
+    if (branch.bundle != kNoPrimitive) {
+      branch.reach = cut.bundles[branch.bundle].reach;
+      continue;
+    }
+    for (const std::uint32_t below : branch.below) {
+      if (below != kNoPrimitive) branch.reach.add(cut.branches[below].reach);
+    }
+  }
+  return cut;
+}
+
 // The fragments of one ray that let light through.
 class SoftSlices {
  public:
   SoftSlices(const SlicingCut& cut, const HeightLookup& heights, const Camera& camera,
              double falloff_px)
-      : cut_(cut),
+      : falloff_per_t_(falloff_px / camera.gamma_v),
+        cut_(raised(cut, camera, falloff_per_t_)),
         heights_(heights),
-        near_t_(camera.near_m),
-        falloff_per_t_(falloff_px / camera.gamma_v) {}
+        near_t_(camera.near_m) {}
 
   /// Those before `last_t`, front to back.
   void find(const SliceRay& ray, double last_t, std::vector<SoftFragment>& found) const {
@@ -112,9 +140,10 @@ class SoftSlices {
     if (opacity > 0.0 && opacity < 1.0) found.push_back({met.t, number, opacity});
   }
 
-  const SlicingCut& cut_;
+  double falloff_per_t_;
+  SlicingCut cut_;
   const HeightLookup& heights_;
-  double near_t_, falloff_per_t_;
+  double near_t_;
 };
 
 struct RowLayers {
@@ -141,7 +170,8 @@ double fog_transmittance(const BlendOptions& options, const glm::dvec3& eye_m,
 Layers blend_slices(const SlicingCut& cut, const Camera& camera, const HeightLookup& heights,
                     const HitImage& hits, const BlendOptions& options) {
   require_usable(options);
-  const SoftSlices soft(cut, heights, camera, options.falloff_px);
+  const SoftSlices soft(options.falloff_px > 0.0 ? cut : SlicingCut{}, heights, camera,
+                        options.falloff_px);
   Layers result;
   result.fog = options.fog;
   result.behind.resize(hits.size());
@@ -155,14 +185,18 @@ Layers blend_slices(const SlicingCut& cut, const Camera& camera, const HeightLoo
       const double last_t = std::min(hits.depth_m[pixel], camera.far_m);
       if (options.falloff_px > 0.0) soft.find(ray, last_t, fragments);
       const FogAlongRay fog(options, ray.eye_m, ray.direction);
-      double left = 1.0;
+      double covered = 0.0;
+      std::uint64_t layers = 0;
       for (const SoftFragment& f : fragments) {
-        const double seen = fog.transmittance(f.t);
-        of_row.layers.push_back({f.t * ray.direction, static_cast<float>(left * f.opacity * seen)});
-        left *= 1.0 - f.opacity;
+        if (f.opacity <= covered) continue;
+        const double share = (f.opacity - covered) * fog.transmittance(f.t);
+        of_row.layers.push_back({f.t * ray.direction, static_cast<float>(share)});
+        covered = f.opacity;
+        ++layers;
       }
-      of_row.counts.push_back(fragments.size());
-      result.behind[pixel] = static_cast<float>(left * fog.transmittance(hits.depth_m[pixel]));
+      of_row.counts.push_back(layers);
+      result.behind[pixel] =
+          static_cast<float>((1.0 - covered) * fog.transmittance(hits.depth_m[pixel]));
     }
   });
   result.first.push_back(0);

@@ -32,9 +32,9 @@ double fog_transmittance(const BlendOptions& options, const glm::dvec3& eye_m,
 
 /// Front to back, what the slices before each hit add to the picture. A fragment that its test
 /// refuses, as it lies above the ground, still has opacity 1 - (its height above the ground) /
-/// falloff, where that is above zero: blended fragments are those of antialiased slices. Fog
-/// attenuates each by the ray's way to it. Of fragments of one bundle at one place (a slice in a
-/// closing quad) the more opaque one counts.
+/// falloff, where that is above zero, and bundles reach as much higher. What a ray has met covers
+/// as much as the most opaque of it: a fragment adds what it is more opaque than all before it, and
+/// none where it is not. Fog attenuates each by the ray's way to it.
 ///
 /// hits    what the ray-slicer and the polygons show, `camera` relative to the terrain's origin
 /// returns layers whose weights, with `behind` and the fog's, add up to one in each pixel
@@ -42,8 +42,10 @@ double fog_transmittance(const BlendOptions& options, const glm::dvec3& eye_m,
 ///   (1) Without falloff no pixel has layers, and `behind` is the fog's transmittance.
 ///   (2) Same bits on any number of threads.
 /// Throws std::invalid_argument if an option is out of its range.
-/// Source: [Röttger & Ertl 2001], section 7. There fog is what each slice's opacity adds up to, and
-/// so only where there are slices; here it fills the space between them as well.
+/// Source: [Röttger & Ertl 2001], section 7. There every slice is blended over those behind, so
+/// that the opacities of slices a pixel apart add up, and outlines swell by nearly the falloff; and
+/// fog is what each slice's opacity adds up to, and so only where there are slices; here it fills
+/// the space between them as well.
 Layers blend_slices(const SlicingCut& cut, const Camera& camera, const HeightLookup& heights,
                     const HitImage& hits, const BlendOptions& options);
 

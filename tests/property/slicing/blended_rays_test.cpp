@@ -54,6 +54,25 @@ std::vector<Seen> by_trying_all(const SlicingCut& cut, const HeightLookup& heigh
   return single;
 }
 
+// Its bundles as much higher as falloff_px is at their farthest corner.
+SlicingCut higher(SlicingCut cut, const Camera& camera, double falloff_px) {
+  for (SliceBundle& bundle : cut.bundles) {
+    double farthest = 0.0;
+    for (int k = 0; k < 8; ++k) {
+      const glm::dvec3 corner{k & 1 ? bundle.reach.high.x : bundle.reach.low.x,
+                              k & 2 ? bundle.reach.high.y : bundle.reach.low.y,
+                              k & 4 ? bundle.reach.high.z : bundle.reach.low.z};
+      farthest = std::max(farthest, glm::dot(corner - camera.eye_m, camera.forward));
+    }
+    const double more_m = falloff_px / camera.gamma_v * farthest;
+    bundle.reach.high.z += more_m;
+    bundle.greatest_z_m = std::numeric_limits<double>::infinity();
+    if (bundle.axis == Axis::Z)
+      bundle.count += static_cast<int>(std::ceil(more_m / bundle.spacing_m));
+  }
+  return cut;
+}
+
 bool same(const Layers& a, const Layers& b) {
   const auto equal = [](const Layer& x, const Layer& y) {
     return x.from_eye_m == y.from_eye_m && x.weight == y.weight;
@@ -78,23 +97,27 @@ TEST(BlendedRays, HaveTheLayersThatALoopOverEveryPlaneFinds) {
     options.falloff_px = random.uniform(0.5, 8.0);
     if (random.chance(0.5)) options.fog_per_m = random.uniform(1e-5, 1e-2);
     const Layers found = blend_slices(cut, camera, heights, sliced.image, options);
+    const SlicingCut raised = higher(cut, camera, options.falloff_px);
     for (int y = 0; y < camera.height_px; ++y) {
       for (int x = 0; x < camera.width_px; ++x) {
         const std::size_t pixel = sliced.image.index(x, y);
         const SliceRay ray(camera, x, y);
         const double depth_m = sliced.image.depth_m[pixel];
-        const std::vector<Seen> expected = by_trying_all(
-            cut, heights, ray, camera, options.falloff_px, std::min(depth_m, camera.far_m));
+        std::vector<Seen> expected;  // each more opaque than all before it
+        for (const Seen& seen : by_trying_all(raised, heights, ray, camera, options.falloff_px,
+                                              std::min(depth_m, camera.far_m))) {
+          if (expected.empty() || seen.opacity > expected.back().opacity) expected.push_back(seen);
+        }
         const std::size_t first = found.first[pixel];
         ASSERT_EQ(found.first[pixel + 1] - first, expected.size())
             << round << ": " << x << "," << y;
-        double left = 1.0, sum = static_cast<double>(found.behind[pixel]);
+        double covered = 0.0, sum = static_cast<double>(found.behind[pixel]);
         for (std::size_t k = 0; k < expected.size(); ++k) {
           const double fog = fog_transmittance(options, ray.eye_m, ray.direction, expected[k].t);
           EXPECT_EQ(found.layers[first + k].weight,
-                    static_cast<float>(left * expected[k].opacity * fog));
+                    static_cast<float>((expected[k].opacity - covered) * fog));
           EXPECT_EQ(found.layers[first + k].from_eye_m, expected[k].t * ray.direction);
-          left *= 1.0 - expected[k].opacity;
+          covered = expected[k].opacity;
           sum += static_cast<double>(found.layers[first + k].weight);
         }
         const double roundings = 1e-7 * static_cast<double>(expected.size() + 1);

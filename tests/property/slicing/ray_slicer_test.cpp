@@ -102,10 +102,17 @@ class SlowCount {
   int tested_ = 0;
 };
 
-// Plateaus at one height, whose triangles lie in a plane with the top of their boxes.
-Heightfield with_plateaus(Heightfield field, double highest_m) {
+// Plateaus at one height, whose triangles lie in a plane with the top of their boxes; far lower
+// than a pixel, or as high as the ground was.
+Heightfield with_plateaus(Random& random, Heightfield field) {
+  const bool low = random.chance(0.5);
+  const double highest_m = random.uniform(20.0, 100.0);
   for (float& height : field.heights_m.floats().values()) {
-    if (height > highest_m) height = static_cast<float>(highest_m);
+    if (low) {
+      height = std::isnan(height) ? height : height > highest_m ? 30.0f : 29.75f;
+    } else if (height > highest_m) {
+      height = static_cast<float>(highest_m);
+    }
   }
   return field;
 }
@@ -115,10 +122,10 @@ Camera view_upwards(Random& random, const Heightfield& field) {
   LookAt look;
   look.eye_m = field.world_origin_m() +
                glm::dvec3(field.cell_columns() * field.dx_m * random.uniform(-0.5, 1.5),
-                          -random.uniform(10.0, 2000.0), random.uniform(0.0, 60.0));
+                          -random.uniform(10.0, 3000.0), random.uniform(0.0, 40.0));
   look.target_m = field.world_origin_m() + glm::dvec3(0.5 * field.cell_columns() * field.dx_m,
                                                       0.5 * field.cell_rows() * field.dy_m,
-                                                      random.uniform(40.0, 160.0));
+                                                      random.uniform(30.0, 80.0));
   look.fov_y_deg = random.uniform(2.0, 40.0);
   look.width_px = 48;
   look.height_px = 36;
@@ -132,7 +139,7 @@ TEST(RaySlicer, SeesWhatALoopOverEveryPlaneSees) {
   for (std::uint32_t round = 0; round < 120; ++round) {
     Heightfield field = test_support::random_ground(random, round);
     if (random.chance(0.4)) field = test_support::coded_twins(random, field).coded;
-    if (random.chance(0.4)) field = with_plateaus(field, random.uniform(20.0, 100.0));
+    if (random.chance(0.4)) field = with_plateaus(random, field);
     const SlicingTree tree(field, Diagonal::Alternating, random.chance(0.5) ? 8 : 4);
     const Camera camera = relative_to(
         random.chance(0.3) ? view_upwards(random, field) : test_support::random_view(random, field),
@@ -172,6 +179,43 @@ TEST(RaySlicer, SeesWhatALoopOverEveryPlaneSees) {
     }
   }
   EXPECT_GT(hits, 20'000);
+}
+
+// Boxes far lower than a pixel, which slices stand out of by a pixel: there the tested height is
+// that of the box's top, on which triangles lie, while the ray climbs.
+TEST(RaySlicer, SeesGroundAtTheTopOfItsBoxFromBelow) {
+  Random random(47);
+  Heightfield field;
+  field.heights_m = Grid<float>(129, 129, 1024.0f);
+  for (float& height : field.heights_m.floats().values())
+    height -= random.chance(0.4) ? 0.25f : 0.0f;
+  field.dx_m = field.dy_m = 90.0;
+  const SlicingTree tree(field, Diagonal::Alternating);
+  const Camera camera = make_camera({.eye_m = {5760.0, -8000.0, 1004.0},
+                                     .target_m = {5760.0, 5000.0, 1032.0},
+                                     .fov_y_deg = 20.0,
+                                     .width_px = 320,
+                                     .height_px = 240});
+  CutOptions options;
+  options.variant = Variant::Published;
+  options.hybrid = false;
+  const SlicingCut cut = cut_tree(tree, camera, options);
+  const HeightLookup heights(field, Diagonal::Alternating);
+  const SlicedImage sliced = slice_rays(cut, camera, heights);
+  std::int64_t hits = 0, climbing = 0;
+  for (int y = 112; y < 132; ++y) {
+    for (int x = 0; x < camera.width_px; x += 3) {
+      const SliceRay ray(camera, x, y);
+      const SliceHit expected = by_trying_all(cut, heights, ray, camera.near_m);
+      const std::size_t pixel = sliced.image.index(x, y);
+      ASSERT_EQ(sliced.image.depth_m[pixel], expected.t) << x << ", " << y;
+      ASSERT_EQ(sliced.image.overdraw[pixel], SlowCount(cut, heights, camera, x, y).count());
+      hits += expected ? 1 : 0;
+      climbing += expected && ray.direction.z > 0.0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(hits, 200);
+  EXPECT_GT(climbing, 50);
 }
 
 }  // namespace
