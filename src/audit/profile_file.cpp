@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "audit/toml_document.h"
 #include "core/check.h"
@@ -14,18 +16,28 @@ namespace {
 using slicing::CostProfile;
 
 void require_speed(double speed, const std::string& where) {
-  if (!(speed > 0.0) || !std::isfinite(speed))
-    input_error("{}: expected a speed above zero, got {}", where, speed);
+  if (!(speed >= 1.0) || !std::isfinite(speed))
+    input_error("{}: expected a speed of at least 1 a second, got {}", where, speed);
+}
+
+// Results name their profile: a name stands for its speeds.
+void require_name(const CostProfile& profile, const std::string& where) {
+  if (profile.name.empty() || profile.name.find(',') != std::string::npos)
+    input_error("{}: expected a name without a comma, got '{}'", where, profile.name);
+  for (const CostProfile& known : known_profiles()) {
+    if (profile.name == known.name && to_text(profile) != to_text(known))
+      input_error("{}: '{}' is the profile {}, and no other", where, known.name, to_text(known));
+  }
 }
 
 CostProfile read_profile_file(const std::string& path) {
   CostProfile profile;
+  profile.name = std::filesystem::path(path).stem().string();
+  std::replace(profile.name.begin(), profile.name.end(), ',', '_');
   bool vertices = false, pixels = false;
   for (const TomlEntry& entry : parse_toml(read_text_file(path, "profile"), path)) {
     if (entry.key == "name") {
       profile.name = word_in(entry.value);
-      if (profile.name.find(',') != std::string::npos)
-        input_error("{}: a name has no comma, got '{}'", entry.value.where, profile.name);
     } else if (entry.key == "vertices_per_s") {
       profile.vertices_per_s = number_in(entry.value);
       require_speed(profile.vertices_per_s, entry.value.where);
@@ -40,6 +52,7 @@ CostProfile read_profile_file(const std::string& path) {
   }
   if (!vertices || !pixels)
     input_error("{}: a profile needs vertices_per_s and pixels_per_s", path);
+  require_name(profile, path);
   return profile;
 }
 
@@ -57,6 +70,7 @@ CostProfile read_profile_text(const std::string& text) {
   };
   profile.vertices_per_s = speed(text.substr(first + 1, second - first - 1));
   profile.pixels_per_s = speed(text.substr(second + 1));
+  require_name(profile, "profile '" + text + "'");
   return profile;
 }
 

@@ -11,8 +11,9 @@ namespace plumb::audit {
 /// The profiles that come with plumb; the first is the default.
 const std::vector<slicing::CostProfile>& known_profiles();
 
-/// A known name; a TOML file with `name`, `vertices_per_s` and `pixels_per_s`; or
-/// "NAME,VERTICES_PER_S,PIXELS_PER_S". Throws InputError, one line, for anything else.
+/// A known name; a TOML file with `vertices_per_s`, `pixels_per_s` and `name` (the file's, if it
+/// has none); or "NAME,VERTICES_PER_S,PIXELS_PER_S". Speeds are at least 1; a known name stands for
+/// its own speeds alone. Throws InputError, one line, for anything else.
 slicing::CostProfile parse_profile(const std::string& text);
 
 /// As the third form: parsing it gives the same profile, to the last bit of its numbers.

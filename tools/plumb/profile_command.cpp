@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
+#include <tuple>
 
 #include "audit/profile_file.h"
 #include "command.h"
@@ -85,7 +86,7 @@ report::ScatterChart chart_of(const ProfileOptions& options, const Measured& mea
   report::ScatterChart chart;
   chart.title = fmt::format("How well the cost model foretells {} views", options.views);
   chart.x_label = "measured, s";
-  chart.y_label = fmt::format("predicted by the profile {}, s", options.name);
+  chart.y_label = fmt::format("predicted by profile '{}', s", options.name);
   chart.diagonal = true;
   for (std::size_t k = 0; k < measured.frames.size(); ++k) {
     const slicing::ModelledFrame& frame = measured.frames[k];
@@ -100,16 +101,19 @@ report::ScatterChart chart_of(const ProfileOptions& options, const Measured& mea
 std::vector<std::string> write_files(const ProfileOptions& options, const Measured& measured) {
   std::vector<std::string> files;
   if (!options.output.empty()) {
-    write_file_atomically(
-        options.output,
-        audit::to_toml(measured.profile,
-                       {fmt::format("plumb {}, {} threads, {}, {} pixels", version_number(),
-                                    options.threads > 0 ? options.threads
-                                                        : std::thread::hardware_concurrency(),
-                                    options.terrain.terrain, options.size),
-                        "Slices and polygons are chosen by these: another profile draws another "
-                        "picture."}));
-    files.push_back(options.output);
+    const std::string text = audit::to_toml(
+        measured.profile,
+        {fmt::format("plumb {}, {} threads, {}, {} pixels", version_number(),
+                     options.threads > 0 ? options.threads : std::thread::hardware_concurrency(),
+                     options.terrain.terrain, options.size),
+         "Slices and polygons are chosen by these: another profile draws another "
+         "picture."});
+    if (options.output == "-") {
+      std::cout << text;
+    } else {
+      write_file_atomically(options.output, text);
+      files.push_back(options.output);
+    }
   }
   if (!options.table.empty()) {
     write_file_atomically(options.table, table_of(measured.frames));
@@ -158,19 +162,40 @@ void print(const ProfileOptions& options, const Measured& measured,
   std::cout << text_table({{""}, {""}}, rows);
 }
 
-int run_profile(const ProfileOptions& options) {
-  const ThreadLimit limit(options.threads);
+// What can be known before anything is measured.
+void require_usable(const ProfileOptions& options) {
+  constexpr int kLeastViews = 3;  // for quartiles and a correlation
+  if (options.views != 0 && options.views < kLeastViews)
+    input_error("--views {}: expected 0, or at least {}", options.views, kLeastViews);
   if (!options.table.empty() && options.views == 0)
     input_error("--table '{}': a table needs --views", options.table);
   if (!options.chart.empty() && options.views == 0)
     input_error("--chart '{}': a chart needs --views", options.chart);
-  if (options.name.empty() || options.name.find(',') != std::string::npos)
-    input_error("--name '{}': expected a name without a comma", options.name);
+  audit::parse_profile(options.name + ",1,1");  // the name
+  const std::tuple<const char*, const std::string&, const char*> files[] = {
+      {"-o", options.output, ".toml"},
+      {"--table", options.table, ".csv"},
+      {"--chart", options.chart, ".svg"}};
+  for (const auto& [option, file, ending] : files) {
+    if (file.empty() || (file == "-" && &file == &options.output)) continue;
+    const std::filesystem::path path(file);
+    if (path.extension() != ending)
+      input_error("{} '{}': expected a name that ends with {}", option, file, ending);
+    if (path.has_parent_path() && !std::filesystem::is_directory(path.parent_path()))
+      input_error("{} '{}': there is no folder '{}'", option, file, path.parent_path().string());
+  }
+  if (options.output == "-" && options.json)
+    input_error("-o - and --json both write to standard output");
+}
+
+int run_profile(const ProfileOptions& options) {
+  const ThreadLimit limit(options.threads);
+  require_usable(options);
   Progress progress;
   const Measured measured = measure(options, progress);
   const std::vector<std::string> files = write_files(options, measured);
   progress.finish();
-  print(options, measured, files);
+  if (options.output != "-") print(options, measured, files);
   return 0;
 }
 
@@ -197,7 +222,8 @@ Command profile_command() {
                     10000);
     options.text(values->name, "--name", "NAME", "What the profile calls itself (measured)");
     options.group("Output");
-    add_output_option(options, values->output, "Write the profile, a .toml file");
+    add_output_option(options, values->output,
+                      "Write the profile, a .toml file, or - for the standard output");
     options.text(values->table, "--table", "CSV",
                  "Write predicted and measured seconds of each view");
     options.text(values->chart, "--chart", "SVG",

@@ -38,7 +38,7 @@ class ProfileFile : public testing::Test {
 };
 
 TEST_F(ProfileFile, IsReadAsItWasWritten) {
-  const slicing::CostProfile profile{"my \"machine\"", 1.0 / 3.0, 3.7e8};
+  const slicing::CostProfile profile{"my \"machine\"", 10.0 / 3.0, 3.7e8};
   const slicing::CostProfile read = parse_profile(write(to_toml(profile, {"one", "two"})));
   EXPECT_EQ(read.name, profile.name);
   EXPECT_EQ(read.vertices_per_s, profile.vertices_per_s);
@@ -55,8 +55,18 @@ TEST_F(ProfileFile, SaysWhatIsWrongAndWhere) {
   EXPECT_NE(error_of("vertices_per_s = inf\npixels_per_s = 2\n").find("speed"), std::string::npos);
   EXPECT_NE(error_of("speed = 3\n").find("unknown key"), std::string::npos);
   EXPECT_NE(error_of("name = [").find(path_), std::string::npos);
-  for (const char* text : {"geforce4", "a,b,c", "a,1", "a,0,1", "a,1,nan", "missing.toml"})
+  for (const char* text : {"geforce4", "a,b,c", "a,1", "a,0,1", "a,1,nan", "a,1e-320,1", ",1,1",
+                           "geforce2-mx,1,1", "missing.toml"})
     EXPECT_THROW(parse_profile(text), InputError) << text;
+}
+
+// Its own name, or the file's: never that of a profile with other speeds.
+TEST_F(ProfileFile, HasANameOfItsOwn) {
+  const std::string speeds = "vertices_per_s = 5e6\npixels_per_s = 1e8\n";
+  EXPECT_EQ(parse_profile(write(speeds)).name, std::filesystem::path(path_).stem().string());
+  EXPECT_NE(error_of("name = \"geforce2-mx\"\n" + speeds).find("no other"), std::string::npos);
+  EXPECT_NE(error_of("name = \"\"\n" + speeds).find("name"), std::string::npos);
+  EXPECT_EQ(parse_profile(to_text(known_profiles().front())).name, known_profiles().front().name);
 }
 
 TEST_F(ProfileFile, StandsInAChoiceForItsNumbers) {
