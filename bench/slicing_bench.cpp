@@ -2,16 +2,21 @@
 // force by the cost model, the heuristic beside the optimum, and the ray-slicer beside the caster
 // of the truth. The terrain is bench_terrain()'s, as PLUMB_BENCH_TERRAIN names it.
 //
-//   slicing_bench [VIEWS]   views that each row is averaged over (50); 0: only beside the caster
+//   slicing_bench [VIEWS [CHART.svg]]   views that each row is averaged over (50); 0: only beside
+//                                       the caster
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <vector>
 
 #include "bench_support.h"
+#include "core/atomic_file.h"
 #include "core/reproducible_math.h"
 #include "core/screen_error.h"
 #include "core/stopwatch.h"
 #include "reference/pyramid_caster.h"
+#include "report/scatter_chart.h"
 #include "slicing/hybrid_frame.h"
 #include "slicing/ray_slicer.h"
 
@@ -48,7 +53,7 @@ Camera view_of(const Flight& flight, const terrain::Heightfield& field, int fram
 }
 
 struct Sums {
-  double triangles = 0.0, slices = 0.0, cost_s = 0.0, polygons_s = 0.0;
+  double triangles = 0.0, slices = 0.0, cost_s = 0.0, all_s = 0.0, in_view_s = 0.0;
   double ratio_to_optimum = 0.0, worst_to_optimum = 0.0;
 };
 
@@ -61,10 +66,13 @@ double triangles_of(const slicing::SlicingTree& tree, const SlicingCut& cut) {
   return triangles;
 }
 
-// Everything as polygons: what is drawn by brute force, whether seen or not.
-double brute_force_s(const slicing::SlicingTree& tree, const Camera& camera,
-                     const slicing::CostProfile& profile) {
-  double cost_s = 0.0;
+// Every node as polygons: all of them, and those in view.
+struct BruteForce {
+  double all_s = 0.0, in_view_s = 0.0;
+};
+BruteForce brute_force(const slicing::SlicingTree& tree, const Camera& camera,
+                       const slicing::CostProfile& profile) {
+  BruteForce brute;
   for (std::uint32_t k = slicing::SlicingTree::first_of(tree.levels() - 1); k < tree.count(); ++k) {
     const slicing::SlicingNode& node = tree.node(k);
     if (node.empty()) continue;
@@ -72,16 +80,21 @@ double brute_force_s(const slicing::SlicingTree& tree, const Camera& camera,
     view.distance_m = std::max(view.distance_m, camera.near_m);
     const bool seen = may_be_in_view(camera, node.box);
     if (!seen) view.most_px = 0.0;
-    cost_s += cost_of_polygons_s(node, view, camera, profile);
+    const double cost_s = cost_of_polygons_s(node, view, camera, profile);
+    brute.all_s += cost_s;
+    if (seen) brute.in_view_s += cost_s;
   }
-  return cost_s;
+  return brute;
 }
 
-void table(const slicing::SlicingTree& tree, Variant variant, const Flight& flight, int views) {
+// Points for slices over triangles go to `chart`.
+void table(const slicing::SlicingTree& tree, Variant variant, const Flight& flight, int views,
+           report::ScatterChart& chart) {
   std::printf("\n%s, GeForce2 MX, %s: averages of %d views\n",
               variant == Variant::Published ? "published" : "conservative", flight.name, views);
   std::printf(
-      "    window   triangles    slices  frames/s  brute force  speed-up  optimum x  worst\n");
+      "    window   triangles    slices  frames/s  all nodes  in view  speed-up over in view  "
+      "optimum x  worst\n");
   const int windows[][2] = {{400, 300}, {512, 384}, {640, 480}, {800, 600}, {1024, 768}};
   for (const auto& [width, height] : windows) {
     Sums sums;
@@ -95,15 +108,23 @@ void table(const slicing::SlicingTree& tree, Variant variant, const Flight& flig
       sums.triangles += triangles_of(tree, cut);
       sums.slices += static_cast<double>(cut.slices);
       sums.cost_s += cut.cost_s;
-      sums.polygons_s += brute_force_s(tree, camera, options.profile);
+      const BruteForce brute = brute_force(tree, camera, options.profile);
+      sums.all_s += brute.all_s;
+      sums.in_view_s += brute.in_view_s;
       sums.ratio_to_optimum += ratio;
       sums.worst_to_optimum = std::max(sums.worst_to_optimum, ratio);
     }
-    std::printf("%5d x %-4d %9.0f %9.0f %9.1f %12.1f %9.2f %10.3f %6.2f\n", width, height,
+    std::printf("%5d x %-4d %9.0f %9.0f %9.1f %10.1f %8.1f %22.2f %10.3f %6.2f\n", width, height,
                 sums.triangles / views, sums.slices / views, views / sums.cost_s,
-                views / sums.polygons_s, sums.polygons_s / sums.cost_s,
+                views / sums.all_s, views / sums.in_view_s, sums.in_view_s / sums.cost_s,
                 sums.ratio_to_optimum / views, sums.worst_to_optimum);
     std::fflush(stdout);
+    if (sums.slices > 0.0) {
+      chart.points.push_back(
+          {sums.triangles / views, sums.slices / views,
+           fmt::format("{} x {}, {}, {}", width, height,
+                       variant == Variant::Published ? "published" : "conservative", flight.name)});
+    }
   }
 }
 
@@ -193,11 +214,16 @@ int main(int argc, char** argv) {
   const plumb::slicing::SlicingTree tree(plumb::bench::bench_terrain(),
                                          plumb::terrain::Diagonal::Alternating);
   if (views > 0) {
+    plumb::report::ScatterChart chart;
+    chart.title = "Five windows, 400 x 300 to 1024 x 768, on two flights";
+    chart.x_label = "triangles";
+    chart.y_label = "slices";
     for (const auto variant :
          {plumb::slicing::Variant::Published, plumb::slicing::Variant::Conservative}) {
       for (const auto& flight : {plumb::bench::kWide, plumb::bench::kNear})
-        plumb::bench::table(tree, variant, flight, views);
+        plumb::bench::table(tree, variant, flight, views, chart);
     }
+    if (argc > 2) plumb::write_file_atomically(argv[2], plumb::report::to_svg(chart));
     plumb::bench::descent(tree, views);
   }
   plumb::bench::beside_the_caster(tree);

@@ -1,6 +1,8 @@
 #include "slicing/slice_raster.h"
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "core/memory.h"
 #include "raster/rasteriser.h"
@@ -48,19 +50,29 @@ SliceMesh mesh_of_slices(const SlicingCut& cut) {
 SlicedImage rasterise_slices(const SlicingCut& cut, const Camera& camera,
                              const HeightLookup& heights) {
   const SliceMesh slices = mesh_of_slices(cut);
+  // A pixel's fragments are tested on one thread at a time: they are its tile's.
+  std::vector<std::uint32_t> tested(
+      static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px), 0);
   const auto keep = [&](raster::Fragment& fragment) {
     const SliceQuad& quad = slices.quads[fragment.primitive / 2];
     const SliceRay ray(camera, fragment.x, fragment.y);
     const PlanePoint met = meet_plane(ray, quad.axis, quad.at_m);
     if (!(met.t >= camera.near_m && met.t <= camera.far_m)) return false;
+    ++tested[static_cast<std::size_t>(fragment.y) * static_cast<std::size_t>(camera.width_px) +
+             static_cast<std::size_t>(fragment.x)];
     fragment.depth_m = met.t;
     fragment.from_eye_m = met.t * ray.direction;
     return passes(cut.bundles[quad.bundle], quad.kind, quad.axis, heights, ray, met);
   };
   raster::RasterResult raster = raster::rasterise(slices.mesh, camera, {}, keep);
   SlicedImage result;
-  result.fragments = raster.fragments;
   result.image = std::move(raster.image);
+  result.image.overdraw.resize(tested.size());
+  for (std::size_t pixel = 0; pixel < tested.size(); ++pixel) {
+    result.fragments += tested[pixel];
+    result.image.overdraw[pixel] =
+        static_cast<std::uint16_t>(std::min<std::uint32_t>(tested[pixel], 65535));
+  }
   for (std::uint32_t& primitive : result.image.primitive) {
     if (primitive != kNoPrimitive) primitive = slices.quads[primitive / 2].bundle;
   }

@@ -30,8 +30,8 @@ SliceMesh mesh_of_slices(const SlicingCut& cut);
 /// of the pixel's ray on the plane.
 ///
 ///   (1) The same hits as slice_rays, depth and point to the bit, in every pixel whose centre is
-///   not within 1/128 pixel of a quad's edge. (2) `overdraw` and `fragments` count what passes,
-///   nearest or not.
+///   not within 1/128 pixel of a quad's edge. (2) `overdraw` and `fragments` count what is
+///   tested, in front of what is seen or behind it.
 SlicedImage rasterise_slices(const SlicingCut& cut, const Camera& camera,
                              const HeightLookup& heights);
 
