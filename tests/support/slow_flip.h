@@ -91,7 +91,9 @@ struct SlowKernel {
     double above = 0.0, below = 0.0;
     for (const double w : weights) (w > 0.0 ? above : below) += std::abs(w);
     SlowKernel kernel = *this;
-    for (double& w : kernel.weights) w /= w > 0.0 ? above : below;
+    for (double& w : kernel.weights) {
+      if (w != 0.0) w /= w > 0.0 ? above : below;
+    }
     return kernel;
   }
   double at(const SlowPicture& picture, int channel, int x, int y) const {

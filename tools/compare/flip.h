@@ -19,7 +19,7 @@ struct ColourPlanes {
 inline constexpr double kFlipPixelsPerDegree = 3840.0 * 3.14159265358979323846 / 180.0;
 
 struct FlipOptions {
-  double pixels_per_degree = kFlipPixelsPerDegree;  // in (0, 1000]
+  double pixels_per_degree = kFlipPixelsPerDegree;  // in [1, 1000]
 };
 
 struct FlipMap {
@@ -46,10 +46,12 @@ FlipMap flip_ldr(const ColourPlanes& reference_srgb, const ColourPlanes& candida
 enum class ToneMapper { Aces, Hable, Reinhard };
 
 struct HdrFlipOptions {
-  double pixels_per_degree = kFlipPixelsPerDegree;  // in (0, 1000]
+  double pixels_per_degree = kFlipPixelsPerDegree;  // in [1, 1000]
   ToneMapper tone_mapper = ToneMapper::Aces;
-  std::optional<double> start_stops, stop_stops;  // each computed from the reference if not given
-  std::optional<int> exposures;  // in [1, 1000]; if not given, as many as stops lie between, >= 2
+  std::optional<double> start_stops = {};  // if not given, computed from the reference
+  std::optional<double> stop_stops = {};   // likewise; both in [-120, 120]
+  std::optional<int> exposures =
+      {};  // in [1, 1000]; if not given, as many as stops lie between, >= 2
 };
 
 /// Exposures in stops: a picture is multiplied by 2^stops. They lie evenly from start to stop.

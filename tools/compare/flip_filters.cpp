@@ -65,11 +65,8 @@ void add_detectors(FlipFilters& filters, double deviation_px, int radius) {
     edge_sum += edge[k];
     (point[k] > 0.0 ? above : below) += (k == 0 ? 1.0 : 2.0) * std::abs(point[k]);
   }
-  for (double& value : edge) value = edge_sum > 0.0 ? value / edge_sum : 0.0;
-  for (double& value : point) {
-    const double sum = value > 0.0 ? above : below;
-    value = above > 0.0 ? value / sum : 0.0;
-  }
+  for (double& value : edge) value /= edge_sum;
+  for (double& value : point) value /= value > 0.0 ? above : below;
   filters.half[kGauss] = scaled(gauss, 1.0 / sum_of(gauss));
   filters.half[kEdge] = edge;
   filters.half[kPoint] = point;
@@ -141,8 +138,8 @@ FlipConstants make_constants() {
 }  // namespace
 
 FlipFilters flip_filters(double pixels_per_degree) {
-  require(pixels_per_degree > 0.0 && pixels_per_degree <= 1000.0,
-          "pixels_per_degree must be in (0, 1000], got {}", pixels_per_degree);
+  require(pixels_per_degree >= 1.0 && pixels_per_degree <= 1000.0,
+          "pixels_per_degree must be in [1, 1000], got {}", pixels_per_degree);
   const double widest_b = kBlueYellowSeen[0].b;
   const double widest_px = std::sqrt(widest_b / (2.0 * kPi * kPi)) * pixels_per_degree;
   const double feature_px = 0.5 * kFeatureWidth_deg * pixels_per_degree;

@@ -35,7 +35,7 @@ struct FlipFilters {
 };
 
 /// Radii: of the first four ceil(3 s), s the widest one's standard deviation, of the others
-/// ceil(3 * 0.041 degrees). Throws std::invalid_argument unless pixels_per_degree is in (0, 1000].
+/// ceil(3 * 0.041 degrees). Throws std::invalid_argument unless pixels_per_degree is in [1, 1000].
 FlipFilters flip_filters(double pixels_per_degree);
 
 /// Colour spaces as matrices, row by row, and the constants of the error.

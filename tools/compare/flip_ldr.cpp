@@ -117,8 +117,8 @@ OpponentPlanes::OpponentPlanes(int width, int height)
     : width_px(width),
       height_px(height),
       stride((width + kFlipLanes - 1) / kFlipLanes * kFlipLanes) {
-  for (std::vector<float>& values : plane)
-    values.assign(static_cast<std::size_t>(stride) * height, 0.0f);
+  for (auto& values : plane)
+    values = std::make_unique_for_overwrite<float[]>(static_cast<std::size_t>(stride) * height);
 }
 
 void fill(OpponentPlanes& planes, const ColourPlanes& picture, const FlipKernels& kernels,

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "compare/flip.h"
@@ -18,12 +19,12 @@ void require_same_size(const ColourPlanes& reference, const ColourPlanes& candid
 /// A picture's opponent colours, rows of `stride` floats of which the first `width_px` are pixels.
 struct OpponentPlanes {
   int width_px, height_px, stride;
-  std::array<std::vector<float>, 3> plane;
+  std::array<std::unique_ptr<float[]>, 3> plane;
 
   OpponentPlanes(int width, int height);
-  float* row(int p, int y) { return plane[p].data() + static_cast<std::size_t>(y) * stride; }
+  float* row(int p, int y) { return plane[p].get() + static_cast<std::size_t>(y) * stride; }
   const float* row(int p, int y) const {
-    return plane[p].data() + static_cast<std::size_t>(y) * stride;
+    return plane[p].get() + static_cast<std::size_t>(y) * stride;
   }
 };
 
