@@ -1,4 +1,5 @@
 // The pair whose answers are published and that the authors' own program was run on.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -58,8 +59,9 @@ TEST(LongFlipPair, HasTheMeanOfTheSlowComputation) {
     largest = std::max(largest, std::abs(map.error[k] - slow[k]));
   }
   const double mean = sum / static_cast<double>(slow.size());
-  RecordProperty("mean", std::to_string(mean));
-  RecordProperty("largest_difference", std::to_string(largest));
+  RecordProperty("mean", fmt::format("{:.8f}", mean));
+  RecordProperty("our_mean", fmt::format("{:.8f}", pool_flip(map.error).mean));
+  RecordProperty("largest_difference", fmt::format("{:.8f}", largest));
   // As flip_test.cpp derives for a single pixel; the mean of their rounding is far smaller.
   EXPECT_LT(largest, 8e-5);
   EXPECT_NEAR(pool_flip(map.error).mean, mean, 1e-6);

@@ -26,6 +26,16 @@ TEST(FlipPool, WeighsPercentilesByTheErrorItself) {
   EXPECT_EQ(weighted_percentile(kErrors, 1.0), 1.0);
 }
 
+// The two lesser ones are close neighbours: 0.5 and 0.5 + 1/512, and 1 - 1/512. A quarter of 2 is
+// what the first holds, not more.
+TEST(FlipPool, TellsCloseNeighboursApart) {
+  const std::vector<float> errors{0.998046875f, 0.501953125f, 0.5f};
+  EXPECT_EQ(weighted_percentile(errors, 0.249), 0.5);
+  EXPECT_EQ(weighted_percentile(errors, 0.25), 0.501953125);
+  EXPECT_EQ(weighted_percentile(errors, 0.5), 0.501953125);
+  EXPECT_EQ(weighted_percentile(errors, 0.501), 0.998046875);
+}
+
 TEST(FlipPool, GivesTheOtherNumbersUnweighted) {
   const FlipPooled pooled = pool_flip(kErrors);
   EXPECT_EQ(pooled.pixels, 5);
