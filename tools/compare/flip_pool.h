@@ -13,9 +13,8 @@ struct FlipPooled {
   std::int64_t pixels = 0;  // that counted
   double mean = 0.0;
   double least = 0.0, largest = 0.0;
-  // Weighted percentiles: pixels with errors up to this one make up more than that share of the
-  // sum of all errors. (More than half of the error stands in pixels with the weighted median or
-  // less, at least half in those with as much or more.)
+  // Weighted percentiles: the least error e for which the pixels with errors up to e hold more than
+  // a quarter, a half, three quarters of the sum of all errors.
   double first_quartile = 0.0, median = 0.0, third_quartile = 0.0;
   std::array<std::int64_t, kFlipBuckets> histogram{};  // pixels in [k / 100, (k + 1) / 100); the
                                                        // last one includes 1
