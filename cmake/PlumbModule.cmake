@@ -1,14 +1,17 @@
-# plumb_module(NAME SOURCES ... HEADERS ... [DEPENDS modules] [PUBLIC targets] [PRIVATE targets])
+# plumb_module(NAME SOURCES ... HEADERS ... [ROOT folder] [DEPENDS modules] [PUBLIC targets] [PRIVATE targets])
 #
-# A folder of src/ as a static library plumb_NAME, known to others as plumb::NAME. HEADERS are installed;
+# A folder of src/ (or of ROOT) as a static library plumb_NAME, known to others as plumb::NAME. HEADERS are installed;
 # PRIVATE targets are linked but seen by no consumer (heavy libraries).
 function(plumb_module NAME)
-  cmake_parse_arguments(ARG "" "" "SOURCES;HEADERS;DEPENDS;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "" "ROOT" "SOURCES;HEADERS;DEPENDS;PUBLIC;PRIVATE" ${ARGN})
+  if(NOT ARG_ROOT)
+    set(ARG_ROOT ${PROJECT_SOURCE_DIR}/src)
+  endif()
   set(target plumb_${NAME})
   add_library(${target} STATIC ${ARG_SOURCES} ${ARG_HEADERS})
   add_library(plumb::${NAME} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${NAME} POSITION_INDEPENDENT_CODE ON)
-  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${ARG_ROOT}>
                                               $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/plumb>)
   target_link_libraries(${target} PUBLIC plumb_flags ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   foreach(module IN LISTS ARG_DEPENDS)
@@ -17,7 +20,7 @@ function(plumb_module NAME)
   set_property(GLOBAL APPEND PROPERTY PLUMB_MODULES ${target})
   foreach(header IN LISTS ARG_HEADERS)
     get_filename_component(folder ${header} DIRECTORY)
-    file(RELATIVE_PATH below ${PROJECT_SOURCE_DIR}/src ${CMAKE_CURRENT_SOURCE_DIR})
+    file(RELATIVE_PATH below ${ARG_ROOT} ${CMAKE_CURRENT_SOURCE_DIR})
     install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumb/${below}/${folder} COMPONENT devel)
   endforeach()
 endfunction()

@@ -22,6 +22,7 @@ std::vector<Stage> report_stages();
 std::vector<Stage> mesh_stages();
 std::vector<Stage> slicing_stages();
 std::vector<Stage> audit_stages();
+std::vector<Stage> compare_stages();
 
 /// Numbers that look random and are the same everywhere.
 class Sequence {
