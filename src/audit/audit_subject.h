@@ -21,7 +21,7 @@ struct AuditSubject {
   Camera camera;  // world coordinates
   std::string camera_name;
   std::string command;                        // the command line that makes the result again
-  std::vector<std::string> assumptions = {};  // about a mesh from a file, one sentence each
+  std::vector<std::string> assumptions = {};  // taken for granted, one sentence each
   std::vector<std::string> hints = {};        // what to look at first if the result surprises
 };
 

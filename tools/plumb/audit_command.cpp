@@ -42,7 +42,7 @@ struct AuditCommandOptions {
 struct Subject {
   DrawnSurface surface;
   double prepare_s = 0.0, draw_s = 0.0;
-  std::vector<std::string> assumptions = {}, hints = {};  // about a mesh from a file
+  std::vector<std::string> assumptions = {}, hints = {};  // for the report
 };
 
 Subject read_subject(const AuditCommandOptions& options, const terrain::Heightfield& field,
@@ -241,6 +241,12 @@ int run_audit(const AuditCommandOptions& options, const Invocation& invocation) 
   const audit::HeightfieldTruth truth(field, diagonal);
   Run run{options, invocation, request, measures, field, truth, progress, nullptr, {}};
   prepare(run);
+  if (options.mesh_file.empty() && diagonal != request.method->truth) {
+    run.drawn.assumptions.push_back(fmt::format(
+        "the claims of {} are judged on a surface whose diagonals are {}; what it "
+        "approximates has {} ones",
+        request.method->name, terrain::name_of(diagonal), terrain::name_of(request.method->truth)));
+  }
   return frames.size() == 1 ? audit_one(run, frames.front()) : audit_path(run, frames);
 }
 
