@@ -142,7 +142,7 @@ TEST(SlicingFails, AtATowerThinnerThanTheSpacing) {
   const Heightfield field =
       ground([](int i, int j) { return i % 8 == 4 && j % 8 == 4 ? 60.0 : 0.01 * i; });
   const Camera camera = view({-600, -500, 320}, {700, 700, 0}, 40.0);
-  expect_kept(field, camera, 500);
+  expect_kept(field, camera, 1000);
   const Finding published = draw(field, camera, Variant::Published);
   EXPECT_GT(published.over, published.sliced / 1000);
   EXPECT_GT(published.worst_px, 2.0);
