@@ -110,8 +110,9 @@ image::Rgb8Image triangles_picture(const AuditResult& result, const DrawnSurface
   std::vector<double> levels(drawn.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t pixel = 0; pixel < drawn.size(); ++pixel) {
     if (!drawn.hit(pixel)) continue;
+    // One more, so that the finest is no black on which its outlines drown.
     levels[pixel] =
-        surface.triangle_lod.empty() ? 0.0 : surface.triangle_lod[drawn.primitive[pixel]];
+        1.0 + (surface.triangle_lod.empty() ? 0.0 : surface.triangle_lod[drawn.primitive[pixel]]);
   }
   report::HeatMapOptions options;
   options.unit = "levels";

@@ -49,12 +49,17 @@ Method restricted_quadtree() {
       }};
 }
 
-double number_parameter(const MethodChoice& choice, const std::string& name, double otherwise) {
+enum class Least { AboveZero, Zero };
+
+double number_parameter(const MethodChoice& choice, const std::string& name, double otherwise,
+                        Least least = Least::AboveZero) {
   const auto found = choice.parameters.find(name);
   if (found == choice.parameters.end()) return otherwise;
   const auto value = parse_number(found->second);
-  if (!value || !(*value > 0.0) || !std::isfinite(*value))
-    input_error("parameter {}: expected a number above zero, got '{}'", name, found->second);
+  const bool fits = value && (least == Least::Zero ? *value >= 0.0 : *value > 0.0);
+  if (!fits || !std::isfinite(*value))
+    input_error("parameter {}: expected a number {}, got '{}'", name,
+                least == Least::Zero ? "of at least zero" : "above zero", found->second);
   return *value;
 }
 
@@ -98,8 +103,8 @@ slicing::Parameters slicing_parameters(const MethodChoice& choice, bool hybrid) 
       {{"rays", slicing::SliceRenderer::Rays}, {"quads", slicing::SliceRenderer::Quads}});
   parameters.cut.borders = word_parameter<bool>(choice, "borders", {{"on", true}, {"off", false}});
   slicing::BlendOptions& blend = parameters.blend;
-  blend.falloff_px = number_parameter(choice, "antialias", blend.falloff_px);
-  blend.fog_per_m = 1e-3 * number_parameter(choice, "fog", blend.fog_per_m);
+  blend.falloff_px = number_parameter(choice, "antialias", blend.falloff_px, Least::Zero);
+  blend.fog_per_m = 1e-3 * number_parameter(choice, "fog", blend.fog_per_m, Least::Zero);
   blend.fog_height_m = number_parameter(choice, "fog_height", blend.fog_height_m);
   const auto profile = choice.parameters.find("profile");
   if (profile != choice.parameters.end()) parameters.cut.profile = parse_profile(profile->second);
