@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/screen_error.h"
+#include "slicing/slice_ray.h"
 
 namespace plumb::slicing {
 namespace {
@@ -95,15 +96,6 @@ double snapping_m(const Box& box, const Camera& camera) {
   return 1.42 / 256.0 * std::sqrt(farthest_squared) / std::min(camera.gamma_h, camera.gamma_v);
 }
 
-// 2^8 roundings of the greatest coordinate: where a ray meets a plane takes fewer than ten.
-double rounding_m(const Box& reach, const Camera& camera) {
-  double greatest_m = 0.0;
-  for (const glm::dvec3& p : {reach.low, reach.high, camera.eye_m}) {
-    for (int k = 0; k < 3; ++k) greatest_m = std::max(greatest_m, std::abs(p[k]));
-  }
-  return std::ldexp(greatest_m, -44);
-}
-
 std::optional<PricedBundle> conservative(const SlicingNode& node, std::uint32_t index,
                                          const Camera& camera, double tolerance_px,
                                          const CostProfile& profile) {
@@ -133,7 +125,8 @@ std::optional<PricedBundle> conservative(const SlicingNode& node, std::uint32_t 
     best = PricedBundle{bundle_across(reach, index, axis, count), cost_s};
     best->bundle.closed = true;
     best->bundle.closing_raise_m = raise_m;
-    best->bundle.closing_rim_m = rounding_m(reach, camera);
+    // 2^8 roundings: where a ray meets a plane takes fewer than ten.
+    best->bundle.closing_rim_m = std::ldexp(greatest_coordinate_m(reach, camera.eye_m), -44);
     best->bundle.least_z_m = -kInfinity;
     best->bundle.greatest_z_m = kInfinity;
   }

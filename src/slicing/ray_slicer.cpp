@@ -100,7 +100,9 @@ class PacketSlicer {
     for (int k = 0; k < 3; ++k) scene_.eye_m[k] = camera.eye_m[k];
     scene_.near_t = camera.near_m;
     scene_.far_t = camera.far_m;
-    scene_.rounding_m = rounding_m(cut, camera);
+    // 2^7 roundings: a fragment's and its ground's take fewer than 30.
+    scene_.rounding_m =
+        std::ldexp(greatest_coordinate_m(cut.branches.back().reach, camera.eye_m), -45);
   }
 
   // The rays of pixels side by side, whose directions and their inverses the packet has.
@@ -126,16 +128,6 @@ class PacketSlicer {
   }
 
  private:
-  // 2^8 roundings of the greatest coordinate: a fragment's and its ground's take fewer than 30.
-  static double rounding_m(const SlicingCut& cut, const Camera& camera) {
-    const Box& all = cut.branches.back().reach;
-    double greatest_m = 0.0;
-    for (const glm::dvec3& p : {all.low, all.high, camera.eye_m}) {
-      for (int k = 0; k < 3; ++k) greatest_m = std::max(greatest_m, std::abs(p[k]));
-    }
-    return std::ldexp(greatest_m, -45);
-  }
-
   // The quadrant that a ray runs to, 0 .. 3; kAlone if lanes are not for it.
   static constexpr int kAlone = 4;
   static int kind_of(const SlicePacket& packet, int k) {

@@ -176,6 +176,7 @@ class LaneSlicer {
       run.last = L::all(run.origin) - low;
     }
     open = find_ends(run, open);
+    if (L::bits(open) == 0) return;
     const Strides strides = strides_in(bundle, n);
     Real place = run.first;
     while (L::bits(open) != 0) {

@@ -26,6 +26,15 @@ struct SliceRay {
         per_row(camera.up / camera.gamma_v) {}
 };
 
+/// The largest coordinate, in size, of a box and the eye: what roundings are measured by.
+inline double greatest_coordinate_m(const Box& box, const glm::dvec3& eye_m) {
+  double greatest_m = 0.0;
+  for (const glm::dvec3& p : {box.low, box.high, eye_m}) {
+    for (int k = 0; k < 3; ++k) greatest_m = std::max(greatest_m, std::abs(p[k]));
+  }
+  return greatest_m;
+}
+
 /// Where a ray meets the plane at `at_m` across an axis: at view depth `t`, the point exactly on
 /// it.
 struct PlanePoint {

@@ -73,10 +73,10 @@ Normal sums(const Grid<float>& reference, const Grid<float>& candidate, const gl
       });
 }
 
-// Root mean square difference at a whole shift, of every fourth row.
-double rms_at(const Grid<float>& reference, const Grid<float>& candidate, int di, int dj) {
+// Sum of squared differences at a whole shift, of every fourth row.
+double squares_at(const Grid<float>& reference, const Grid<float>& candidate, int di, int dj) {
   const int rows = (reference.rows() - 2 * kRim + 3) / 4;
-  const double sum = parallel_ordered_reduce(
+  return parallel_ordered_reduce(
       rows, 16, 0.0,
       [&](std::int64_t begin, std::int64_t end, double value) {
         for (auto k = static_cast<int>(begin); k < static_cast<int>(end); ++k) {
@@ -89,15 +89,14 @@ double rms_at(const Grid<float>& reference, const Grid<float>& candidate, int di
         return value;
       },
       [](double a, double b) { return a + b; });
-  return sum;
 }
 
 glm::dvec2 best_whole_shift(const Grid<float>& reference, const Grid<float>& candidate) {
   glm::dvec2 best(0.0);
-  double least = rms_at(reference, candidate, 0, 0);
+  double least = squares_at(reference, candidate, 0, 0);
   for (int dj = -kFarthest; dj <= kFarthest; ++dj) {
     for (int di = -kFarthest; di <= kFarthest; ++di) {
-      const double here = rms_at(reference, candidate, di, dj);
+      const double here = squares_at(reference, candidate, di, dj);
       if (!(here < least)) continue;
       least = here;
       best = {di, dj};
