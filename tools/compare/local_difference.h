@@ -15,6 +15,12 @@ struct LocalDifference {
   /// Beyond what its 3 x 3 pixels around hold: 0 where an outline fell on its other side. The
   /// larger of both directions.
   std::vector<float> out_of_range;
+  /// The same less the contrast of its 5 x 5 pixels around: what stands out alone, as a pinhole or
+  /// a crack does in smooth ground. The larger of both directions; 0 where the contrast is larger.
+  std::vector<float> isolated;
+  /// Largest less smallest of the 5 x 5 pixels around, the larger of both pictures; 0 where
+  /// nothing is unexplained or out of range.
+  std::vector<float> contrast;
 };
 
 /// Planes of one size, width x height, finite numbers. Throws std::invalid_argument if sizes
