@@ -23,6 +23,10 @@ struct LocalDifference {
   std::vector<float> contrast;
 };
 
+/// Details finer than pixels change by a part of the contrast around them with every shift: what is
+/// unexplained counts where it is more than this share of it. Measured: docs/comparing.md.
+inline constexpr float kContrastShare = 0.3f;
+
 /// Planes of one size, width x height, finite numbers. Throws std::invalid_argument if sizes
 /// differ. Same bits on any number of threads.
 LocalDifference local_difference(std::span<const std::span<const float>> reference,

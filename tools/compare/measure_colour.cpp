@@ -15,9 +15,6 @@ namespace {
 
 using Spans = std::vector<std::span<const float>>;
 constexpr const char* kGroup = "colour";
-// A picture's own contrast that a difference must come near to, to count as unexplained: details
-// that are finer than pixels change by a part of it with every shift. (docs/comparing.md)
-constexpr float kContrastShare = 0.3f;
 
 Spans spans_of(const std::vector<const image::Plane*>& planes) {
   Spans spans;
