@@ -42,6 +42,14 @@ Differences differences(const Rgb8Image& reference, const Rgb8Image& candidate) 
   return found;
 }
 
+// Of a ratio >= 1; exact for powers of ten, at one of which a limit stands.
+double decibels(double ratio) {
+  double tens = 0.0;
+  for (; ratio >= 10.0; ratio /= 10.0) tens += 10.0;
+  constexpr double kDecibelsOfTwo = 3.010299956639812;  // 10 log10 2
+  return tens + kDecibelsOfTwo * reproducible_log2(ratio);
+}
+
 double mean_flip(const Rgb8Image& reference, const Rgb8Image& candidate) {
   std::vector<float> planes[6];
   for (int p = 0; p < 6; ++p) {
@@ -104,8 +112,7 @@ class Measured {
   double signal_to_noise_db() {
     const auto squares = static_cast<double>(all_differences().squares);
     if (squares == 0.0) return std::numeric_limits<double>::infinity();
-    constexpr double kDecibelsOfTwo = 3.010299956639812;  // 10 log10 2
-    return kDecibelsOfTwo * reproducible_log2(255.0 * 255.0 * (3.0 * pixels()) / squares);
+    return decibels(255.0 * 255.0 * (3.0 * pixels()) / squares);
   }
   const PixelmatchCounts& pixelmatch() {
     if (!pixelmatch_) pixelmatch_ = pixelmatch_counts(reference_, candidate_);

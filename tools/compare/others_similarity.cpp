@@ -15,11 +15,12 @@ using image::Rgb8Image;
 constexpr int kWindow = 7, kPixels = kWindow * kWindow;
 constexpr double kC1 = (0.01 * 255.0) * (0.01 * 255.0), kC2 = (0.03 * 255.0) * (0.03 * 255.0);
 
-// Sums over pixels of a channel of both pictures: x, y, x^2, y^2, x y. Whole numbers, so exact.
+// Sums over pixels of a channel of both pictures: x, y, x^2, y^2, x y. Whole numbers, so exact: at
+// most 49 * 255^2.
 constexpr int kSums = 5;
-using Sums = std::array<std::int64_t, kSums>;
+using Sums = std::array<std::int32_t, kSums>;
 
-void add(Sums& sums, std::int64_t x, std::int64_t y) {
+void add(Sums& sums, std::int32_t x, std::int32_t y) {
   sums[0] += x;
   sums[1] += y;
   sums[2] += x * x;
