@@ -62,7 +62,15 @@ TEST(FuzzySum, LosesWhatDoesNotFit32Bits) {
   EXPECT_DOUBLE_EQ(fuzzy_sum(even(0), even(255)), 196.0 * 1362395641.0 / std::pow(251, 4));
 }
 
-TEST(FuzzySum, IsBlindToOnePixel) { EXPECT_EQ(fuzzy_sum(square(0), square(1)), 0.0); }
+// A line as thin as a pixel: the ground that it hides is beside it, whichever picture has it. (The
+// blur spreads a tenth of its 40 codes there, which are forgiven.)
+TEST(FuzzySum, IsBlindToALineOfOnePixel) {
+  const Rgb8Image line = drawn(32, 32, [](int x, int) { return x == 13 ? 140 : 100; });
+  EXPECT_EQ(fuzzy_sum(square(0), line), 0.0);
+  EXPECT_EQ(fuzzy_sum(line, square(0)), 0.0);
+  const Rgb8Image band = drawn(32, 32, [](int x, int) { return x >= 13 && x < 17 ? 200 : 100; });
+  EXPECT_GT(fuzzy_sum(square(0), band), 0.05);
+}
 
 // Moved by a pixel, every colour is found next to its place.
 TEST(FuzzySum, IsBlindToAShiftOfOnePixel) {
@@ -109,6 +117,21 @@ TEST(PixelmatchCounts, HaveTheirThresholdBetween26And27) {
   EXPECT_THROW(pixelmatch_counts(even(1), even(1), 1.5), std::invalid_argument);
 }
 
+// One channel alone: 0.5053 y^2 + 0.299 i^2 + 0.1957 q^2 is 0.1601, 0.2498 and 0.0565 of its
+// square; the roots of 352.15 over those are 46.9, 37.5 and 78.9.
+TEST(PixelmatchCounts, WeighChannels) {
+  const int below[3] = {46, 37, 78};
+  for (std::size_t c = 0; c < 3; ++c) {
+    Rgb8Image candidate = even(100);
+    candidate.rgb[3 * 20 + c] = static_cast<std::uint8_t>(100 + below[c]);
+    candidate.rgb[3 * 90 + c] = static_cast<std::uint8_t>(100 - below[c]);
+    EXPECT_EQ(pixelmatch_counts(even(100), candidate).all, 0) << c;
+    ++candidate.rgb[3 * 20 + c];
+    --candidate.rgb[3 * 90 + c];
+    EXPECT_EQ(pixelmatch_counts(even(100), candidate).all, 2) << c;
+  }
+}
+
 // One pixel, everything around it of one colour: no edge.
 TEST(PixelmatchCounts, KeepALonePixel) {
   EXPECT_EQ(pixelmatch_counts(square(0), square(1)).all, 1);
@@ -123,6 +146,21 @@ TEST(PixelmatchCounts, LeaveOutASmoothedEdge) {
     EXPECT_EQ(counts.all, 16);
     EXPECT_EQ(counts.remaining, 0);
   }
+}
+
+// A pixel that differs beside black ones, ground of ever other greys around: the black ones are an
+// even area from four on, of which each has three like it.
+TEST(PixelmatchCounts, NeedThreeLikePixelsForAnEvenArea) {
+  const auto beside = [](int black, int grey) {
+    return drawn(24, 24, [=](int x, int y) {
+      const int k = 2 * (y - 10) + (x - 10);
+      if (x >= 10 && x < 12 && y >= 10 && y < 12 && k < black) return 0;
+      return x == 12 && y == 10 ? grey : 150 + (7 * x + 13 * y) % 50;
+    });
+  };
+  EXPECT_EQ(pixelmatch_counts(beside(3, 100), beside(3, 140)).remaining, 1);
+  EXPECT_EQ(pixelmatch_counts(beside(4, 100), beside(4, 140)).all, 1);
+  EXPECT_EQ(pixelmatch_counts(beside(4, 100), beside(4, 140)).remaining, 0);
 }
 
 // Window by window, as the formula reads, variances as sums of squared deviations.
