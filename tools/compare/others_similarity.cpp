@@ -1,5 +1,6 @@
 #include "compare/others_similarity.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -20,12 +21,20 @@ constexpr double kC1 = (0.01 * 255.0) * (0.01 * 255.0), kC2 = (0.03 * 255.0) * (
 constexpr int kSums = 5;
 using Sums = std::array<std::int32_t, kSums>;
 
-void add(Sums& sums, std::int32_t x, std::int32_t y) {
-  sums[0] += x;
-  sums[1] += y;
-  sums[2] += x * x;
-  sums[3] += y * y;
-  sums[4] += x * y;
+// Adds a row of a channel to each column's sums, or takes it away (sign -1).
+void add_row(const Rgb8Image& reference, const Rgb8Image& candidate, int row, int channel,
+             std::int32_t sign, std::vector<Sums>& columns) {
+  std::size_t k = 3 * columns.size() * static_cast<std::size_t>(row);
+  k += static_cast<std::size_t>(channel);
+  for (Sums& sums : columns) {
+    const std::int32_t x = reference.rgb[k], y = candidate.rgb[k];
+    sums[0] += sign * x;
+    sums[1] += sign * y;
+    sums[2] += sign * (x * x);
+    sums[3] += sign * (y * y);
+    sums[4] += sign * (x * y);
+    k += 3;
+  }
 }
 
 double similarity(const Sums& s) {
@@ -38,23 +47,13 @@ double similarity(const Sums& s) {
   return ((2.0 * x * y + kC1) * (2.0 * xy + kC2)) / ((x * x + y * y + kC1) * (xx + yy + kC2));
 }
 
-// Sum of the similarity of all windows whose first row is `top`, in one channel.
-double row_of_windows(const Rgb8Image& reference, const Rgb8Image& candidate, int top, int channel,
-                      std::vector<Sums>& columns) {
-  const auto width = static_cast<std::size_t>(reference.width_px);
-  columns.assign(width, Sums{});
-  for (int y = top; y < top + kWindow; ++y) {
-    std::size_t k = 3 * width * static_cast<std::size_t>(y) + static_cast<std::size_t>(channel);
-    for (std::size_t x = 0; x < width; ++x, k += 3)
-      add(columns[x], reference.rgb[k], candidate.rgb[k]);
-  }
+// Sum of the similarity of all windows of a row of them, from the sums of their columns.
+double along_row(const std::vector<Sums>& columns) {
   Sums window{};
   double sum = 0.0;
-  for (std::size_t x = 0; x < width; ++x) {
-    for (int m = 0; m < kSums; ++m) {
-      const auto k = static_cast<std::size_t>(m);
-      window[k] += columns[x][k] - (x >= kWindow ? columns[x - kWindow][k] : 0);
-    }
+  for (std::size_t x = 0; x < columns.size(); ++x) {
+    for (std::size_t m = 0; m < kSums; ++m)
+      window[m] += columns[x][m] - (x >= kWindow ? columns[x - kWindow][m] : 0);
     if (x + 1 >= kWindow) sum += similarity(window);
   }
   return sum;
@@ -66,12 +65,20 @@ double box_similarity(const Rgb8Image& reference, const Rgb8Image& candidate) {
   require_judgeable(reference, candidate);
   const int rows = reference.height_px - kWindow + 1, across = reference.width_px - kWindow + 1;
   std::vector<double> of_row(static_cast<std::size_t>(rows));
-  parallel_for(rows, 8, [&](std::int64_t top) {
+  constexpr int kBand = 16;  // rows of windows, each from the sums of the one above it
+  parallel_for((rows + kBand - 1) / kBand, 1, [&](std::int64_t band) {
+    const int first = static_cast<int>(band) * kBand, end = std::min(first + kBand, rows);
     std::vector<Sums> columns;
-    double sum = 0.0;
-    for (int channel = 0; channel < 3; ++channel)
-      sum += row_of_windows(reference, candidate, static_cast<int>(top), channel, columns);
-    of_row[static_cast<std::size_t>(top)] = sum;
+    for (int channel = 0; channel < 3; ++channel) {
+      columns.assign(static_cast<std::size_t>(reference.width_px), Sums{});
+      for (int y = first; y < first + kWindow - 1; ++y)
+        add_row(reference, candidate, y, channel, 1, columns);
+      for (int top = first; top < end; ++top) {
+        add_row(reference, candidate, top + kWindow - 1, channel, 1, columns);
+        of_row[static_cast<std::size_t>(top)] += along_row(columns);
+        add_row(reference, candidate, top, channel, -1, columns);
+      }
+    }
   });
   double sum = 0.0;
   for (const double row : of_row) sum += row;
