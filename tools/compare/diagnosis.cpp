@@ -174,31 +174,35 @@ void look_at_depth(const PlaneImage& reference, const PlaneImage& candidate, Fin
   if (a == nullptr || b == nullptr) return;
   const std::vector<PlanePair> pairs{{a->values, b->values}};
   const double before = rms_of(pairs, [](double x) { return x; });
+  // Another convention explains all but roundings; that a coarse ground is farther explains less.
+  constexpr double kMostLeftOfDepth = 0.2;
+  const auto offer = [&](Systematic kind, double before_m, double after_m, std::string text) {
+    findings.offer(kind, before_m, after_m, std::move(text), kMostLeftOfDepth);
+  };
   const LineFit line = fit_line(pairs);
-  findings.offer(Systematic::DepthScale, before,
-                 rms_of(pairs, [&](double x) { return line.slope * x + line.intercept; }),
-                 fmt::format("the candidate's depth is the reference's times {:.6g} plus {:.4g} m",
-                             line.slope, line.intercept));
+  offer(Systematic::DepthScale, before,
+        rms_of(pairs, [&](double x) { return line.slope * x + line.intercept; }),
+        fmt::format("the candidate's depth is the reference's times {:.6g} plus {:.4g} m",
+                    line.slope, line.intercept));
   std::vector<float> inverse(a->values.size());
   std::transform(a->values.begin(), a->values.end(), inverse.begin(),
                  [](float z) { return 1.0f / z; });
   const std::vector<PlanePair> inverted{{inverse, b->values}};
   const LineFit window = fit_line(inverted);
-  findings.offer(
-      Systematic::WindowDepth, before,
-      rms_of(inverted, [&](double x) { return window.slope * x + window.intercept; }),
-      fmt::format("the candidate's depth is {:.6g} {:+.6g} / the reference's: window depth, {}",
-                  window.intercept, window.slope,
-                  window.slope > 0.0 ? "reversed" : "not along the view"));
+  offer(Systematic::WindowDepth, before,
+        rms_of(inverted, [&](double x) { return window.slope * x + window.intercept; }),
+        fmt::format("the candidate's depth is {:.6g} {:+.6g} / the reference's: window depth, {}",
+                    window.intercept, window.slope,
+                    window.slope > 0.0 ? "reversed" : "not along the view"));
   const std::optional<Camera> camera = image::camera_of(reference.metadata);
   if (!camera || static_cast<std::size_t>(camera->width_px) * camera->height_px != reference.size())
     return;
   const std::vector<float> lengths = ray_lengths(*camera);
   std::vector<float> distances(lengths.size());
   for (std::size_t k = 0; k < lengths.size(); ++k) distances[k] = lengths[k] * a->values[k];
-  findings.offer(Systematic::DistanceAsDepth, before,
-                 rms_of({PlanePair{distances, b->values}}, [](double x) { return x; }),
-                 "the candidate's depth is the distance along the ray");
+  offer(Systematic::DistanceAsDepth, before,
+        rms_of({PlanePair{distances, b->values}}, [](double x) { return x; }),
+        "the candidate's depth is the distance along the ray");
 }
 
 }  // namespace

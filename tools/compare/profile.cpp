@@ -30,7 +30,7 @@ Profile tolerant() {
                     {"colour", "", "isolated_pixels", {}, 20.0},
                     {"colour", "", "unexplained_share", {}, 0.5},
                     {"depth", "", "unexplained_share", {}, 0.5},
-                    {"normal", "", "unmatched_share", {}, 0.5}};
+                    {"normal", "", "unmatched_share", {}, 5.0}};
   return profile;
 }
 
