@@ -74,29 +74,55 @@ double deviation_of(const std::vector<PlanePair>& pairs, double mean) {
   return rms_of(of_itself, [&](double) { return mean; });
 }
 
+// Tries models of a candidate's numbers on a few pixels first, since most pairs have none.
+class ModelTrial {
+ public:
+  ModelTrial(const std::vector<PlanePair>& pairs, double mean_of_candidate, Findings& findings)
+      : pairs_(pairs),
+        findings_(findings),
+        before_(rms_of(pairs, kSame)),
+        before_of_few_(rms_of(pairs, kSame, kFew)),
+        deviation_(deviation_of(pairs, mean_of_candidate)) {}
+
+  template <class Model>
+  void offer(Systematic kind, const Model& model, const std::string& text) {
+    // Half as much again as a finding may leave: a few thousand numbers are nearer to all than
+    // that.
+    if (rms_of(pairs_, model, kFew) > 1.5 * kMostLeft * before_of_few_) return;
+    findings_.offer_model(kind, before_, rms_of(pairs_, model), deviation_, text);
+  }
+
+ private:
+  static constexpr std::int64_t kFew = 61;  // every so manieth pixel; prime, so no column's
+  static constexpr auto kSame = [](double x) { return x; };
+
+  const std::vector<PlanePair>& pairs_;
+  Findings& findings_;
+  double before_, before_of_few_, deviation_;
+};
+
 void look_at_values(const std::vector<PlanePair>& pairs, Findings& findings) {
-  const double before = rms_of(pairs, [](double x) { return x; });
   const LineFit fit = fit_line(pairs);
   const double offset = fit.mean_candidate - fit.mean_reference;
-  const double deviation = deviation_of(pairs, fit.mean_candidate);
-  const auto offer = [&](Systematic kind, double after, std::string text) {
-    findings.offer_model(kind, before, after, deviation, std::move(text));
-  };
-  offer(Systematic::Offset, rms_of(pairs, [&](double x) { return x + offset; }),
-        fmt::format("the candidate is the reference plus {:.4g}", offset));
-  offer(Systematic::Gain, rms_of(pairs, [&](double x) { return fit.gain * x; }),
-        fmt::format("the candidate is the reference times {:.4g}", fit.gain));
   const auto clamped = [](double x) { return std::clamp(x, 0.0, 1.0); };
-  offer(Systematic::LinearAsSrgb,
-        rms_of(pairs, [&](double x) { return image::srgb_to_linear(clamped(x)); }),
-        "the candidate holds linear light where the reference holds sRGB: it was not encoded");
-  offer(Systematic::SrgbAsLinear,
-        rms_of(pairs, [&](double x) { return linear_to_srgb(clamped(x)); }),
-        "the candidate holds sRGB where the reference holds linear light: it was encoded "
-        "twice, or should not have been");
+  ModelTrial trial(pairs, fit.mean_candidate, findings);
+  trial.offer(
+      Systematic::Offset, [&](double x) { return x + offset; },
+      fmt::format("the candidate is the reference plus {:.4g}", offset));
+  trial.offer(
+      Systematic::Gain, [&](double x) { return fit.gain * x; },
+      fmt::format("the candidate is the reference times {:.4g}", fit.gain));
+  trial.offer(
+      Systematic::LinearAsSrgb, [&](double x) { return image::srgb_to_linear(clamped(x)); },
+      "the candidate holds linear light where the reference holds sRGB: it was not encoded");
+  trial.offer(
+      Systematic::SrgbAsLinear, [&](double x) { return linear_to_srgb(clamped(x)); },
+      "the candidate holds sRGB where the reference holds linear light: it was encoded twice, or "
+      "should not have been");
   if (const std::optional<double> power = fit_power(pairs)) {
-    offer(Systematic::Gamma, rms_of(pairs, [&](double x) { return power_of(clamped(x), *power); }),
-          fmt::format("the candidate is the reference to the power of {:.4g}", *power));
+    trial.offer(
+        Systematic::Gamma, [&](double x) { return power_of(clamped(x), *power); },
+        fmt::format("the candidate is the reference to the power of {:.4g}", *power));
   }
 }
 
