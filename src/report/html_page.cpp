@@ -24,6 +24,12 @@ VerdictWords words_of(Verdict verdict) {
       return {"measured", "Measured only"};
     case Verdict::None:
       return {"measured", "No verdict"};
+    case Verdict::Equal:
+      return {"held", "Equal"};
+    case Verdict::Passes:
+      return {"held", "Passes"};
+    case Verdict::Fails:
+      return {"broken", "Fails"};
   }
   return {"measured", "?"};
 }
@@ -88,6 +94,10 @@ std::string body_cells(const std::vector<Column>& columns, const std::vector<std
   return html;
 }
 
+const char* row_class(RowKind kind) {
+  return kind == RowKind::Ok ? " class=\"ok\"" : kind == RowKind::Bad ? " class=\"bad\"" : "";
+}
+
 HtmlPage::HtmlPage(std::string_view title) : title_(escape_html(title)) {}
 
 void HtmlPage::add_verdict(Verdict verdict, std::string_view sentence) {
@@ -102,6 +112,13 @@ void HtmlPage::add_heading(std::string_view text) {
 
 void HtmlPage::add_paragraph(std::string_view text) {
   body_ += fmt::format("<p>{}</p>\n", escape_html(text));
+}
+
+void HtmlPage::add_list(std::string_view caption, const std::vector<std::string>& lines) {
+  if (lines.empty()) return;
+  body_ += fmt::format("<h3>{}</h3>\n<ul>\n", escape_html(caption));
+  for (const std::string& line : lines) body_ += fmt::format("<li>{}</li>\n", escape_html(line));
+  body_ += "</ul>\n";
 }
 
 void HtmlPage::add_key_values(std::string_view caption, const std::vector<KeyValue>& entries) {
@@ -119,18 +136,10 @@ void HtmlPage::add_table(const Table& table) {
       "<div class=\"scroll\"><table><caption>{}</caption><thead><tr>{}</tr></thead><tbody>\n",
       escape_html(table.caption), header_cells(table.columns));
   for (const Row& row : table.rows) {
-    const char* kind = row.kind == RowKind::Ok    ? " class=\"ok\""
-                       : row.kind == RowKind::Bad ? " class=\"bad\""
-                                                  : "";
-    html += fmt::format("<tr{}>{}</tr>\n", kind, body_cells(table.columns, row.cells));
+    html +=
+        fmt::format("<tr{}>{}</tr>\n", row_class(row.kind), body_cells(table.columns, row.cells));
   }
   body_ += html + "</tbody></table></div>\n";
-}
-
-void HtmlPage::add_picture(std::string_view caption, const std::vector<std::uint8_t>& png) {
-  body_ += fmt::format(
-      "<figure class=\"picture\"><img src=\"{}\" alt=\"{}\"><figcaption>{}</figcaption></figure>\n",
-      png_address(png, caption), escape_html(caption), escape_html(caption));
 }
 
 void HtmlPage::add_details(std::string_view summary, std::string_view text) {
