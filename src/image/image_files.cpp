@@ -230,14 +230,6 @@ ColourImage read_colour(const fs::path& path) {
   return image;
 }
 
-const char* name_of(Encoding encoding) { return encoding == Encoding::Srgb ? "sRGB" : "linear"; }
-
-const Plane* PlaneImage::find(std::string_view name) const {
-  const auto found = std::find_if(planes.begin(), planes.end(),
-                                  [&](const Plane& plane) { return plane.name == name; });
-  return found == planes.end() ? nullptr : &*found;
-}
-
 PlaneImage read_planes(const fs::path& path) {
   const auto input = open(path);
   const OIIO::ImageSpec spec = input->spec();

@@ -36,6 +36,9 @@ struct PlaneImage {
   const Plane* find(std::string_view name) const;
 };
 
+/// The channels of a picture that was drawn, those that are there.
+PlaneImage planes_of(const AovImage& picture);
+
 /// A file in any format that OpenImageIO reads; alpha is not multiplied in. Throws InputError with
 /// path and cause if it cannot be read whole, has no pixels or more than one part.
 PlaneImage read_planes(const std::filesystem::path& path);

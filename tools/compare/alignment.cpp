@@ -2,10 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
 #include <optional>
+#include <span>
+#include <vector>
 
+#include "compare/local_difference.h"
 #include "core/check.h"
 #include "core/parallel.h"
+#include "core/reproducible_math.h"
 
 namespace plumb::compare {
 namespace {
@@ -112,6 +119,44 @@ glm::dvec2 step(const Normal& n) {
   return {-(n.yy * n.xd - n.xy * n.yd) / determinant, -(n.xx * n.yd - n.xy * n.xd) / determinant};
 }
 
+// From a shift, by small steps, to the least difference around it.
+struct Descent {
+  glm::dvec2 by{0.0};
+  Normal there;
+};
+
+Descent descend(const Grid<float>& reference, const Grid<float>& candidate, glm::dvec2 from) {
+  Descent best{from, sums(reference, candidate, 0.5 * from, -0.5 * from)};
+  for (int round = 0; round < 4; ++round) {
+    const glm::dvec2 change = step(best.there);
+    const double longest = std::max(std::abs(change.x), std::abs(change.y));
+    if (!(longest < 1.0)) break;  // no small step: the pictures are too different for one
+    Descent next{glm::clamp(best.by + change, -3.5, 3.5), {}};
+    next.there = sums(reference, candidate, 0.5 * next.by, -0.5 * next.by);
+    if (!(next.there.dd < best.there.dd)) break;
+    best = next;
+    if (longest < 1e-3) break;
+  }
+  return best;
+}
+
+// Least root mean square difference of a shift no longer than `radius`, by the differences and
+// slopes at another one.
+double rms_within(double radius, const Descent& found) {
+  const Normal& n = found.there;
+  if (glm::length(found.by) <= radius) return n.rms();
+  constexpr int kDirections = 64;
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < kDirections; ++k) {
+    const double angle = 6.283185307179586 * k / kDirections;
+    const glm::dvec2 d =
+        radius * glm::dvec2(reproducible_cos(angle), reproducible_sin(angle)) - found.by;
+    least = std::min(least, n.dd + 2.0 * (d.x * n.xd + d.y * n.yd) + d.x * d.x * n.xx +
+                                2.0 * d.x * d.y * n.xy + d.y * d.y * n.yy);
+  }
+  return std::sqrt(std::max(0.0, least) / static_cast<double>(n.count));
+}
+
 }  // namespace
 
 Shift find_shift(const Grid<float>& reference, const Grid<float>& candidate) {
@@ -119,18 +164,52 @@ Shift find_shift(const Grid<float>& reference, const Grid<float>& candidate) {
           "two pictures must be of one size");
   Shift shift;
   if (std::min(reference.columns(), reference.rows()) < kLeastSide) return shift;
-  glm::dvec2 by = best_whole_shift(reference, candidate);
-  for (int round = 0; round < 4; ++round) {
-    const glm::dvec2 change = step(sums(reference, candidate, 0.5 * by, -0.5 * by));
-    const double longest = std::max(std::abs(change.x), std::abs(change.y));
-    if (!(longest < 1.0)) break;  // no small step: the pictures are too different for one
-    by = glm::dvec2(std::clamp(by.x + change.x, -3.5, 3.5), std::clamp(by.y + change.y, -3.5, 3.5));
-    if (longest < 1e-3) break;
+  // A picture of little but an outline is much the same along it: what is near comes first.
+  Descent best = descend(reference, candidate, glm::dvec2(0.0));
+  if (const glm::dvec2 whole = best_whole_shift(reference, candidate); whole != glm::dvec2(0.0)) {
+    const Descent other = descend(reference, candidate, whole);
+    if (other.there.dd < best.there.dd) best = other;
   }
-  shift.by_px = by;
-  shift.rms_after = sums(reference, candidate, 0.5 * by, -0.5 * by).rms();
-  shift.rms_before = sums(reference, candidate, 0.5 * by, 0.5 * by).rms();
+  shift.by_px = best.by;
+  shift.rms_after = best.there.rms();
+  shift.rms_before = sums(reference, candidate, 0.5 * best.by, 0.5 * best.by).rms();
+  shift.rms_of_jitter = rms_within(kJitter_px, best);
   return shift;
+}
+
+namespace {
+
+// The picture without its rim, moved.
+Grid<float> moved(const Grid<float>& picture, const glm::dvec2& by) {
+  Grid<float> result(picture.columns() - 2 * kRim, picture.rows() - 2 * kRim);
+  parallel_for(result.rows(), 16, [&](std::int64_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < result.columns(); ++i)
+      result(i, j) = static_cast<float>(at(picture, i + kRim - by.x, j + kRim - by.y));
+  });
+  return result;
+}
+
+double unexplained_share(const Grid<float>& reference, const Grid<float>& candidate) {
+  const std::vector<std::span<const float>> there{reference.values()}, here{candidate.values()};
+  const LocalDifference local =
+      local_difference(there, here, reference.columns(), reference.rows());
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < local.unexplained.size(); ++k)
+    count += local.unexplained[k] > 2.0f / 255.0f &&
+             local.unexplained[k] > kContrastShare * local.contrast[k];
+  return static_cast<double>(count) / static_cast<double>(local.unexplained.size());
+}
+
+}  // namespace
+
+Unexplained unexplained_by(const Grid<float>& reference, const Grid<float>& candidate,
+                           const glm::dvec2& by_px) {
+  if (std::min(reference.columns(), reference.rows()) < kLeastSide) return {};
+  const glm::dvec2 half = 0.5 * by_px;
+  const Grid<float> there = moved(reference, half);
+  return {unexplained_share(there, moved(candidate, half)),
+          unexplained_share(there, moved(candidate, -half))};
 }
 
 namespace {

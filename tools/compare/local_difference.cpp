@@ -13,6 +13,10 @@ struct Range {
 
   // How far beyond it a number is.
   float beyond(float value) const { return std::max({0.0f, value - high, low - value}); }
+  void take(float value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
 };
 
 // A plane and what stands around its pixels; its rim is repeated beyond it.
@@ -27,6 +31,15 @@ class Neighbours {
                   static_cast<std::size_t>(column)];
   }
 
+  // Largest less smallest of the 5 x 5 pixels.
+  float contrast(int x, int y) const {
+    Range range{at(x, y), at(x, y)};
+    for (int j = -2; j <= 2; ++j) {
+      for (int i = -2; i <= 2; ++i) range.take(at(x + i, y + j));
+    }
+    return range.high - range.low;
+  }
+
   // Of the 3 x 3 pixels, and of the nine places a quarter of a pixel away in x and in y. (Between
   // them a bilinear surface has no larger and no smaller number.)
   void ranges(int x, int y, Range& around, Range& quarter) const {
@@ -36,10 +49,7 @@ class Neighbours {
     }
     around = quarter = {cell[1][1], cell[1][1]};
     for (const auto& row : cell) {
-      for (const float value : row) {
-        around.low = std::min(around.low, value);
-        around.high = std::max(around.high, value);
-      }
+      for (const float value : row) around.take(value);
     }
     for (int j = 0; j < 3; j += 2) {
       for (int i = 0; i < 3; i += 2) widen(cell, i, j, quarter);
@@ -52,10 +62,7 @@ class Neighbours {
     const float along_x = 0.75f * cell[1][1] + 0.25f * cell[1][i];
     const float along_y = 0.75f * cell[1][1] + 0.25f * cell[j][1];
     const float both = 0.75f * along_x + 0.25f * (0.75f * cell[j][1] + 0.25f * cell[j][i]);
-    for (const float value : {along_x, along_y, both}) {
-      quarter.low = std::min(quarter.low, value);
-      quarter.high = std::max(quarter.high, value);
-    }
+    for (const float value : {along_x, along_y, both}) quarter.take(value);
   }
 
   std::span<const float> plane_;
@@ -70,7 +77,8 @@ LocalDifference local_difference(std::span<const std::span<const float>> referen
   require(reference.size() == candidate.size() && width_px >= 1 && height_px >= 1,
           "two pictures must have the same channels and be at least 1 x 1 pixels");
   const auto size = static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px);
-  LocalDifference result{std::vector<float>(size, 0.0f), std::vector<float>(size, 0.0f)};
+  const std::vector<float> nothing(size, 0.0f);
+  LocalDifference result{nothing, nothing, nothing, nothing};
   for (std::size_t plane = 0; plane < reference.size(); ++plane) {
     require(reference[plane].size() == size && candidate[plane].size() == size,
             "every plane must have {} numbers", size);
@@ -88,9 +96,16 @@ LocalDifference local_difference(std::span<const std::span<const float>> referen
         here.ranges(x, y, around_b, quarter_b);
         // Explained from either side is explained: a thin feature is wide in one of the two.
         const float unexplained = std::min(quarter_a.beyond(b), quarter_b.beyond(a));
-        const float out = std::max(around_a.beyond(b), around_b.beyond(a));
-        result.unexplained[pixel] = std::max(result.unexplained[pixel], unexplained);
-        result.out_of_range[pixel] = std::max(result.out_of_range[pixel], out);
+        const float out_of_a = around_a.beyond(b), out_of_b = around_b.beyond(a);
+        if (unexplained == 0.0f && out_of_a == 0.0f && out_of_b == 0.0f) continue;
+        const float contrast_a = there.contrast(x, y), contrast_b = here.contrast(x, y);
+        const auto raise = [&](std::vector<float>& values, float value) {
+          values[pixel] = std::max(values[pixel], value);
+        };
+        raise(result.unexplained, unexplained);
+        raise(result.out_of_range, std::max(out_of_a, out_of_b));
+        raise(result.isolated, std::max(out_of_a - contrast_a, out_of_b - contrast_b));
+        raise(result.contrast, std::max(contrast_a, contrast_b));
       }
     });
   }

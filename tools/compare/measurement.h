@@ -42,7 +42,7 @@ struct Measurement {
 
 /// What a number may be at most (at least, where more is better).
 struct Limit {
-  std::string group, channel, metric;
+  std::string group, channel, metric;  // channel "*": each channel
   std::optional<double> threshold = {};
   double bound = 0.0;
 

@@ -17,6 +17,7 @@ struct MeasureOptions {
   int band_px = 1;                               // of coverage, in [0, 64]
   double unexplained_above = 2.0 / 255.0;        // of `unexplained_share`, display numbers
   double isolated_above = 24.0 / 255.0;          // of `isolated_pixels`, display numbers
+  double depth_above = 1e-3;  // of depth's `unexplained_share` and `isolated_pixels`, relative
 
   friend bool operator==(const MeasureOptions&, const MeasureOptions&) = default;
 };
@@ -25,7 +26,7 @@ struct Profile {
   std::string name;     // of the built-in one, or the file's
   std::string meaning;  // one line
   MeasureOptions options;
-  std::vector<Limit> limits;  // those of channels that the pictures lack judge nothing
+  std::vector<Limit> limits;      // those of channels that the pictures lack judge nothing
   bool judges_systematic = true;  // a difference with a system fails, whatever its size
   bool judges_numbers = true;     // a NaN or an infinity in one picture alone fails
 

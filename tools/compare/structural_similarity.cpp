@@ -70,17 +70,21 @@ double similarity(const Moments& m) {
 
 struct Found {
   double sum = 0.0;
+  std::int64_t windows = 0;  // that count
   StructuralSimilarity best;
 };
 
 }  // namespace
 
 StructuralSimilarity structural_similarity(const Grid<float>& reference,
-                                           const Grid<float>& candidate) {
+                                           const Grid<float>& candidate,
+                                           std::span<const std::uint8_t> mask) {
   const int columns = reference.columns(), rows = reference.rows();
   require(columns >= 1 && rows >= 1 && columns == candidate.columns() && rows == candidate.rows(),
           "two pictures must be of one size, at least 1 x 1, got {} x {} and {} x {}", columns,
           rows, candidate.columns(), candidate.rows());
+  require(mask.empty() || mask.size() == reference.values().size(),
+          "the mask must have {} pixels, got {}", reference.values().size(), mask.size());
   const std::vector<double> across = gaussian(std::min(kWindow, columns)),
                             down = gaussian(std::min(kWindow, rows));
   const int windows_x = columns - static_cast<int>(across.size()) + 1,
@@ -106,11 +110,17 @@ StructuralSimilarity structural_similarity(const Grid<float>& reference,
       for (std::size_t w = 0; w < width; ++w) {
         const double here = similarity({sums[w], sums[width + w], sums[2 * width + w],
                                         sums[3 * width + w], sums[4 * width + w]});
+        const int x = static_cast<int>(w + across.size() / 2);
+        const int y = row + static_cast<int>(down.size() / 2);
+        if (!mask.empty() && mask[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) +
+                                  static_cast<std::size_t>(x)] == 0)
+          continue;
         found.sum += here;
+        ++found.windows;
         if (here < found.best.least) {
           found.best.least = here;
-          found.best.least_x = static_cast<int>(w + across.size() / 2);
-          found.best.least_y = row + static_cast<int>(down.size() / 2);
+          found.best.least_x = x;
+          found.best.least_y = y;
         }
       }
     }
@@ -118,9 +128,10 @@ StructuralSimilarity structural_similarity(const Grid<float>& reference,
   Found all;
   for (const Found& row : of_row) {
     all.sum += row.sum;
+    all.windows += row.windows;
     if (row.best.least < all.best.least) all.best = row.best;
   }
-  all.best.mean = all.sum / (static_cast<double>(windows_x) * windows_y);
+  if (all.windows > 0) all.best.mean = all.sum / static_cast<double>(all.windows);
   return all.best;
 }
 

@@ -1,6 +1,7 @@
 // SSIM: how alike the structure of two pictures is.
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "core/grid.h"
@@ -17,9 +18,11 @@ struct StructuralSimilarity {
 /// Of two planes of finite numbers in 0..1 (luma), width x height: windows of 11 x 11 pixels,
 /// Gaussian of 1.5 pixels, K1 = 0.01, K2 = 0.03, those that lie wholly inside. A picture that is
 /// smaller than a window has one as large as itself, the Gaussian cut to it. Same bits on any
-/// number of threads. Throws std::invalid_argument if sizes differ or are zero. Source: [Wang,
-/// Bovik, Sheikh & Simoncelli 2004], section III.
+/// number of threads. `mask`: windows whose middle it has as 0 do not count; none is all; where
+/// none counts all numbers are 1. Throws std::invalid_argument if sizes differ or are zero. Source:
+/// [Wang, Bovik, Sheikh & Simoncelli 2004], section III.
 StructuralSimilarity structural_similarity(const Grid<float>& reference,
-                                           const Grid<float>& candidate);
+                                           const Grid<float>& candidate,
+                                           std::span<const std::uint8_t> mask = {});
 
 }  // namespace plumb::compare

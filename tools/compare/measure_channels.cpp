@@ -1,0 +1,100 @@
+// Each channel by itself, coverage, and numbers that are none.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/measuring.h"
+#include "compare/plane_errors.h"
+
+namespace plumb::compare {
+namespace {
+
+void add_plain(const Measuring& m, const std::string& group, const std::string& channel,
+               const PlaneErrors& errors, const image::Plane& reference,
+               const image::Plane& candidate) {
+  const auto add = [&](const char* metric, std::optional<double> value) {
+    if (!m.wants(group, metric)) return;
+    Measurement measurement{group, channel, metric, {}, value};
+    if (errors.differing > 0 && std::string(metric) == "largest") {
+      measurement.x = static_cast<int>(errors.worst % static_cast<std::size_t>(m.pair.width_px()));
+      measurement.y = static_cast<int>(errors.worst / static_cast<std::size_t>(m.pair.width_px()));
+    }
+    m.add(std::move(measurement));
+  };
+  add("largest", errors.largest);
+  add("mean", errors.mean);
+  add("rmse", errors.root_mean_square);
+  add("psnr", errors.psnr_db());
+  for (const double threshold : m.thresholds(group, channel)) {
+    std::size_t over = 0;
+    for (std::size_t k = 0; k < m.pair.size(); ++k)
+      over += m.pair.judged(k) &&
+              std::abs(double{candidate.values[k]} - double{reference.values[k]}) > threshold;
+    m.add({group, channel, "share_over", threshold, share_of(m.pair, over)});
+  }
+}
+
+void count_numbers(const Measuring& m, const image::Plane& reference, const image::Plane& candidate,
+                   const PlaneErrors& errors) {
+  NumberCount& numbers = m.result.numbers;
+  if (numbers.unlike == 0 && errors.unlike > 0) {
+    const std::size_t k = errors.first_unlike;
+    const auto width = static_cast<std::size_t>(m.pair.width_px());
+    numbers.first = fmt::format("channel {} at ({}, {}): {}, the reference has {}", reference.name,
+                                k % width, k / width, candidate.values[k], reference.values[k]);
+  }
+  numbers.alike += errors.alike;
+  numbers.unlike += errors.unlike;
+}
+
+// Depth of sky is infinite; where one picture has sky and the other ground, coverage says so.
+bool is_about_sky(const image::Plane& plane) { return plane.name == "Z"; }
+
+PlaneErrors without_sky(const Measuring& m, const image::Plane& reference,
+                        const image::Plane& candidate) {
+  std::vector<std::uint8_t> mask(m.pair.size());
+  const float sky = std::numeric_limits<float>::infinity();
+  for (std::size_t k = 0; k < mask.size(); ++k) {
+    const bool one_is_sky = (reference.values[k] == sky) != (candidate.values[k] == sky) &&
+                            !std::isnan(reference.values[k]) && !std::isnan(candidate.values[k]);
+    mask[k] = m.pair.judged(k) && !one_is_sky ? 1 : 0;
+  }
+  return plane_errors(reference.values, candidate.values, mask);
+}
+
+}  // namespace
+
+void measure_coverage(const Measuring& m) {
+  if (!m.wants_any("coverage", {"holes", "overshoot"})) return;
+  const auto reference = shown_terrain(m.pair.reference),
+             candidate = shown_terrain(m.pair.candidate);
+  if (!reference || !candidate) return;
+  CoverageErrors errors = check_coverage(*reference, *candidate, m.pair.width_px(),
+                                         m.pair.height_px(), m.profile.options.band_px);
+  std::vector<float> map(m.pair.size(), 0.0f);
+  std::optional<std::size_t> hole, overshoot;
+  for (const std::size_t k : errors.wrong) {
+    map[k] = (*reference)[k] != 0 ? 1.0f : 2.0f;
+    std::optional<std::size_t>& first = (*reference)[k] != 0 ? hole : overshoot;
+    if (!first) first = k;
+  }
+  m.add("coverage", "holes", static_cast<double>(errors.holes), hole);
+  m.add("coverage", "overshoot", static_cast<double>(errors.overshoot), overshoot);
+  m.keep_map({"coverage", "1: a hole; 2: terrain where sky must be", "", std::move(map), 0.0});
+  m.result.coverage = std::move(errors);
+}
+
+void measure_channels(const Measuring& m) {
+  for (const image::Plane& reference : m.pair.reference.planes) {
+    const image::Plane& candidate = *m.pair.candidate.find(reference.name);
+    const PlaneErrors errors = is_about_sky(reference)
+                                   ? without_sky(m, reference, candidate)
+                                   : plane_errors(reference.values, candidate.values, m.pair.mask);
+    count_numbers(m, reference, candidate, errors);
+    add_plain(m, "channel", reference.name, errors, reference, candidate);
+    if (reference.name == "A") add_plain(m, "alpha", "", errors, reference, candidate);
+  }
+}
+
+}  // namespace plumb::compare
