@@ -74,11 +74,18 @@ std::string escape_html(std::string_view text) {
   return escaped;
 }
 
+namespace {
+
+const char* class_of(const Column& column) {
+  return column.numeric ? " class=\"number\"" : column.wide ? " class=\"wide\"" : "";
+}
+
+}  // namespace
+
 std::string header_cells(const std::vector<Column>& columns) {
   std::string html;
   for (const Column& column : columns) {
-    html += fmt::format("<th scope=\"col\"{}>{}</th>", column.numeric ? " class=\"number\"" : "",
-                        escape_html(column.name));
+    html += fmt::format("<th scope=\"col\"{}>{}</th>", class_of(column), escape_html(column.name));
   }
   return html;
 }
@@ -88,8 +95,7 @@ std::string body_cells(const std::vector<Column>& columns, const std::vector<std
           cells.size());
   std::string html;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    html += fmt::format("<td{}>{}</td>", columns[i].numeric ? " class=\"number\"" : "",
-                        escape_html(cells[i]));
+    html += fmt::format("<td{}>{}</td>", class_of(columns[i]), escape_html(cells[i]));
   }
   return html;
 }

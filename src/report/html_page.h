@@ -19,6 +19,7 @@ struct KeyValue {
 struct Column {
   std::string name;
   bool numeric = false;  // set flush right
+  bool wide = false;     // of sentences: has room for a few words however narrow the window is
 };
 
 enum class RowKind { Plain, Ok, Bad };
