@@ -138,14 +138,16 @@ void HtmlPage::add_key_values(std::string_view caption, const std::vector<KeyVal
 }
 
 void HtmlPage::add_table(const Table& table) {
-  std::string html = fmt::format(
-      "<div class=\"scroll\"><table><caption>{}</caption><thead><tr>{}</tr></thead><tbody>\n",
-      escape_html(table.caption), header_cells(table.columns));
+  const std::string caption = escape_html(table.caption);
+  std::string html = table.folded ? fmt::format("<details><summary>{}</summary>", caption) : "";
+  html += fmt::format("<div class=\"scroll\"><table>{}<thead><tr>{}</tr></thead><tbody>\n",
+                      table.folded ? "" : fmt::format("<caption>{}</caption>", caption),
+                      header_cells(table.columns));
   for (const Row& row : table.rows) {
     html +=
         fmt::format("<tr{}>{}</tr>\n", row_class(row.kind), body_cells(table.columns, row.cells));
   }
-  body_ += html + "</tbody></table></div>\n";
+  body_ += html + "</tbody></table></div>" + (table.folded ? "</details>\n" : "\n");
 }
 
 void HtmlPage::add_details(std::string_view summary, std::string_view text) {

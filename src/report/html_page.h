@@ -33,6 +33,7 @@ struct Table {
   std::string caption;
   std::vector<Column> columns;
   std::vector<Row> rows;
+  bool folded = false;  // its caption alone until somebody asks
 };
 
 /// A picture of a viewer.

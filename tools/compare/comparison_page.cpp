@@ -1,7 +1,9 @@
 #include "compare/comparison_page.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <system_error>
 #include <utility>
 
@@ -66,12 +68,22 @@ std::string histogram_caption(const ErrorMap& map, const report::Histogram& hist
 void add_histograms(report::HtmlPage& page, const Comparison& comparison) {
   if (comparison.maps.empty()) return;
   page.add_heading("How often each difference occurs");
+  std::vector<std::string> without;
   for (const ErrorMap& map : comparison.maps) {
+    if (is_kind_map(map)) continue;
     const report::Histogram histogram = report::histogram_of(map.values, kHistogramBins);
+    if (std::all_of(histogram.counts.begin(), histogram.counts.end(),
+                    [](std::int64_t count) { return count == 0; })) {
+      without.push_back(map.name);
+      continue;
+    }
     const std::string label = map.unit.empty() ? map.name : map.name + ", " + map.unit;
     page.add_chart(histogram_caption(map, histogram),
                    report::to_svg({map.name, label, map.unit, histogram, map.limit}));
   }
+  if (!without.empty())
+    page.add_paragraph(
+        fmt::format("Without a finite difference above zero: {}.", fmt::join(without, ", ")));
 }
 
 std::string page_of(const Comparison& comparison, const report::Viewer& viewer,
@@ -88,6 +100,8 @@ std::string page_of(const Comparison& comparison, const report::Viewer& viewer,
   add_histograms(page, comparison);
   page.add_heading("Measurements");
   page.add_table(measurements_table(comparison));
+  if (const report::Table channels = channels_table(comparison); !channels.rows.empty())
+    page.add_table(channels);
   page.add_key_values("Coverage, numbers and mask", shape_entries(comparison));
   page.add_key_values("What was compared", subject_entries(comparison, command));
   page.add_details("JSON of this comparison", json);

@@ -66,6 +66,8 @@ ReportPicture map_picture(const PicturePair& pair, const ErrorMap& map, std::str
 
 }  // namespace
 
+bool is_kind_map(const ErrorMap& map) { return map.name == "coverage"; }
+
 image::Rgb8Image coverage_picture(const PicturePair& pair, const CoverageErrors& errors) {
   const int width = pair.width_px();
   image::Rgb8Image picture = blank(width, pair.height_px(), 0);
@@ -122,12 +124,17 @@ std::vector<ReportPicture> comparison_pictures(const PicturePair& pair,
   DifferencePicture difference = difference_picture(pair);
   std::set<std::string> taken{"reference.png", "candidate.png", "difference.png", "coverage.png",
                               "mask.png"};
+  std::vector<const ErrorMap*> sizes;
   std::vector<std::string> files;
-  for (const ErrorMap& map : comparison.maps) files.push_back(file_for(map.name, taken));
-  std::vector<ReportPicture> maps(comparison.maps.size());
+  for (const ErrorMap& map : comparison.maps) {
+    if (is_kind_map(map)) continue;
+    sizes.push_back(&map);
+    files.push_back(file_for(map.name, taken));
+  }
+  std::vector<ReportPicture> maps(sizes.size());
   parallel_for(static_cast<std::int64_t>(maps.size()), 1, [&](std::int64_t at) {
     const auto k = static_cast<std::size_t>(at);
-    maps[k] = map_picture(pair, comparison.maps[k], files[k]);
+    maps[k] = map_picture(pair, *sizes[k], files[k]);
   });
   const image::Rgb8Image& candidate = shown.candidate;
   std::vector<ReportPicture> extra;

@@ -19,8 +19,12 @@ struct ReportPicture {
   image::Rgb8Image legend = {};
 };
 
-/// Reference, candidate, difference, a heat map of each ErrorMap (its scale ends at its limit, with
-/// what is above it in a colour of its own), coverage and mask where they are there.
+/// Whether a map's numbers are names and no sizes: the coverage map, which has a picture of its
+/// own.
+bool is_kind_map(const ErrorMap& map);
+
+/// Reference, candidate, difference, a heat map of each ErrorMap of sizes (its scale ends at its
+/// limit, with what is above it in a colour of its own), coverage and mask where they are there.
 /// Throws std::invalid_argument if a map has not a value for each pixel.
 std::vector<ReportPicture> comparison_pictures(const PicturePair& pair,
                                                const Comparison& comparison);

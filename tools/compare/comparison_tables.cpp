@@ -47,9 +47,23 @@ report::Table measurements_table(const Comparison& c) {
       "All that was measured",
       {{"measurement"}, {"value", true}, {"worst pixel", true}, {"meaning", false, true}},
       {}};
-  for (const Measurement& m : c.measurements)
+  for (const Measurement& m : c.measurements) {
+    if (m.group == "channel") continue;
     table.rows.push_back({{m.name(), value_text(m), pixel_text(m.x, m.y), m.info().meaning},
                           report::RowKind::Plain});
+  }
+  return table;
+}
+
+report::Table channels_table(const Comparison& c) {
+  const ChannelTable channels = channel_table(c);
+  report::Table table{"Each channel by itself", {{"channel"}}, {}, true};
+  for (const std::string& metric : channels.metrics) table.columns.push_back({metric, true});
+  for (std::size_t row = 0; row < channels.channels.size(); ++row) {
+    table.rows.push_back({{channels.channels[row]}, report::RowKind::Plain});
+    std::vector<std::string>& cells = table.rows.back().cells;
+    cells.insert(cells.end(), channels.values[row].begin(), channels.values[row].end());
+  }
   return table;
 }
 

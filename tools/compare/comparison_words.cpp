@@ -66,6 +66,27 @@ std::string verdict_sentence(const Comparison& c) {
   return "";
 }
 
+ChannelTable channel_table(const Comparison& comparison) {
+  ChannelTable table;
+  const auto place = [](std::vector<std::string>& names, const std::string& name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    const auto at = static_cast<std::size_t>(found - names.begin());
+    if (at == names.size()) names.push_back(name);
+    return at;
+  };
+  for (const Measurement& m : comparison.measurements) {
+    if (m.group != "channel") continue;
+    const std::string own = "channel." + m.channel + ".";
+    const std::size_t column = place(table.metrics, m.name().substr(own.size()));
+    const std::size_t row = place(table.channels, m.channel);
+    table.values.resize(std::max(table.values.size(), row + 1));
+    table.values[row].resize(std::max(table.values[row].size(), column + 1), "-");
+    table.values[row][column] = value_text(m);
+  }
+  for (std::vector<std::string>& row : table.values) row.resize(table.metrics.size(), "-");
+  return table;
+}
+
 const char* name_of(Systematic kind) {
   switch (kind) {
     case Systematic::Offset:
@@ -132,7 +153,9 @@ double use_of(const Judgement& judgement) {
 
 std::string use_text(const Judgement& judgement) {
   const double use = use_of(judgement);
-  return std::isfinite(use) ? fmt::format("{:.3g} %", 100.0 * use) : "inf";
+  if (!std::isfinite(use)) return "inf";
+  return 100.0 * use >= 1000.0 && use < 1e6 ? fmt::format("{:.0f} %", 100.0 * use)
+                                            : fmt::format("{:.3g} %", 100.0 * use);
 }
 
 const Judgement* tightest(const Comparison& comparison) {

@@ -28,6 +28,14 @@ std::string bound_text(const Limit& limit, const Metric& metric);
 /// "(12, 7)", or "-" where there is no pixel.
 std::string pixel_text(int x, int y);
 
+/// What was measured of each channel by itself.
+struct ChannelTable {
+  std::vector<std::string> channels;             // rows
+  std::vector<std::string> metrics;              // columns: "psnr", "share_over(0.02)"
+  std::vector<std::vector<std::string>> values;  // with units; "-" where there is none
+};
+ChannelTable channel_table(const Comparison& comparison);
+
 /// How much of a limit is used up: measured / bound, or bound / measured where more is better.
 /// Above 1, or infinite, exactly where the limit is broken; 0 where nothing differs.
 double use_of(const Judgement& judgement);

@@ -37,13 +37,12 @@ report::Table error_table(const FolderComparison& folders) {
 report::LinkRow pair_row(const FolderPair& pair) {
   const Comparison& c = pair.comparison;
   report::LinkRow row{pair.name, pair.page, pair.thumbnail_png, {}, kind_of(c.verdict)};
-  row.cells = {
-      verdict_label(c.verdict), "-", "-", "-", "-", c.reasons.empty() ? "" : c.reasons.front()};
+  row.cells = {verdict_label(c.verdict), "-", "-", "-", c.reasons.empty() ? "" : c.reasons.front()};
   if (const Judgement* worst = tightest(c)) {
     row.cells[1] = worst->measured.name();
-    row.cells[2] = bound_text(worst->limit, worst->measured.info());
-    row.cells[3] = value_text(worst->measured);
-    row.cells[4] = use_text(*worst);
+    row.cells[2] = fmt::format("{}, {}", value_text(worst->measured),
+                               bound_text(worst->limit, worst->measured.info()));
+    row.cells[3] = use_text(*worst);
   }
   return row;
 }
@@ -53,8 +52,7 @@ report::LinkTable pairs_table(const FolderComparison& folders) {
                           "file",
                           {{"verdict"},
                            {"tightest limit"},
-                           {"allowed", true},
-                           {"measured", true},
+                           {"measured, allowed", true},
                            {"used", true},
                            {"why", false, true}},
                           {}};

@@ -14,6 +14,9 @@ namespace {
 constexpr int kWidestPx = 126, kHighestPx = 192;  // of one of the two pictures
 constexpr int kGapPx = 4;
 
+// Where the scale of colours or FLIP ends, so that rows compare: noise is dark beside a defect.
+constexpr double kStrong = 0.25;
+
 struct Size {
   int width_px = 1, height_px = 1;
 };
@@ -104,6 +107,7 @@ std::vector<std::uint8_t> thumbnail_png(const PicturePair& pair, const Compariso
   if (const ErrorMap* map = telling_map(comparison)) {
     report::HeatMapOptions options;
     options.limit = map->limit;
+    if (!map->limit && map->unit.empty()) options.high = kStrong;
     report::RgbImage heat = report::heat_picture(size.width_px, size.height_px,
                                                  worst_of(map->values, large, size), options);
     small = side_by_side(small, {heat.width, heat.height, std::move(heat.rgb)});

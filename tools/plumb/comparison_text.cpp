@@ -45,13 +45,24 @@ std::string measurements_text(const Comparison& c) {
   Rows rows;
   std::string group;
   for (const Measurement& m : c.measurements) {
-    if (is_judged(c, m)) continue;
+    if (m.group == "channel" || is_judged(c, m)) continue;
     rows.push_back({m.group == group ? "" : m.group, m.name().substr(m.group.size() + 1),
                     compare::value_text(m), compare::pixel_text(m.x, m.y)});
     group = m.group;
   }
   if (rows.empty()) return "";
   return "\n" + text_table({{"also measured"}, {""}, {"value", true}, {"worst pixel", true}}, rows);
+}
+
+std::string channels_text(const Comparison& c) {
+  const compare::ChannelTable table = compare::channel_table(c);
+  if (table.channels.empty()) return "";
+  std::vector<TextColumn> columns{{"channel"}};
+  for (const std::string& metric : table.metrics) columns.push_back({metric, true});
+  Rows rows = table.values;
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    rows[row].insert(rows[row].begin(), table.channels[row]);
+  return "\n" + text_table(columns, rows);
 }
 
 std::string facts_text(const Comparison& c) {
@@ -103,7 +114,8 @@ std::string comparison_text(const Comparison& c) {
                                 compare::short_number(found.rms_before),
                                 compare::short_number(found.rms_after)),
                     kWidth, 2);
-  return text + limits_text(c) + measurements_text(c) + facts_text(c) + worst_text(c);
+  return text + limits_text(c) + measurements_text(c) + channels_text(c) + facts_text(c) +
+         worst_text(c);
 }
 
 std::string folder_text(const compare::FolderComparison& folders) {

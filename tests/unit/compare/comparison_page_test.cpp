@@ -81,6 +81,25 @@ TEST(ComparisonPage, HoldsVerdictReasonsPicturesAndWorstPixels) {
   EXPECT_TRUE(has(page, "&quot;schema&quot;: &quot;plumb.compare/1&quot;"));
 }
 
+// The coverage map's numbers are names of defects; the depth map is all zeros.
+TEST(ComparisonPage, HasHistogramsOfSizesAlone) {
+  const plumb::testing::TemporaryFolder folder;
+  const PicturePair pair = testing::cracked_pair();
+  Comparison c = testing::cracked_comparison(pair);
+  c.maps.push_back({"coverage", "1: a hole", "", c.maps[0].values, 0.0});
+  c.maps.push_back({"depth", "relative", "", std::vector<float>(pair.size(), 0.0f), 0.0});
+  write_comparison(folder.path(), pair, c, "");
+  const std::string page = contents(folder.file("index.html"));
+  std::size_t charts = 0;
+  for (std::size_t at = page.find("class=\"chart\""); at != std::string::npos;
+       at = page.find("class=\"chart\"", at + 1))
+    ++charts;
+  EXPECT_EQ(charts, 1u);
+  EXPECT_TRUE(has(page, "Without a finite difference above zero: depth."));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "depth.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "coverage-2.png"));
+}
+
 TEST(ComparisonPage, TakesNoNameForHtml) {
   const plumb::testing::TemporaryFolder folder;
   PicturePair pair = testing::cracked_pair();

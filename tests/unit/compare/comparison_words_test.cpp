@@ -49,6 +49,26 @@ TEST(ComparisonWords, UseIsAboveOneWhereALimitIsBrokenAndNowhereElse) {
   EXPECT_EQ(use_of(judged({"colour", "", "largest", {}, std::nan("")}, 1.0, false)), kInfinite);
 }
 
+TEST(ComparisonWords, UseIsSaidInPerCent) {
+  EXPECT_EQ(use_text(judged({"colour", "", "largest", {}, 0.05}, 0.1, true)), "50 %");
+  EXPECT_EQ(use_text(judged({"colour", "", "largest", {}, 3.06}, 0.1, false)), "3060 %");
+  EXPECT_EQ(use_text(judged({"coverage", "", "holes", {}, 3.0}, 0.0, false)), "inf");
+}
+
+TEST(ComparisonWords, ChannelsStandInATableOfTheirOwn) {
+  Comparison c;
+  c.measurements = {{"colour", "", "largest", {}, 0.5},
+                    {"channel", "R", "largest", {}, 0.5},
+                    {"channel", "R", "psnr", {}, 40.0},
+                    {"channel", "Z", "largest", {}, 7.0},
+                    {"channel", "Z", "share_over", 0.5, 1.5}};
+  const ChannelTable table = channel_table(c);
+  EXPECT_EQ(table.channels, (std::vector<std::string>{"R", "Z"}));
+  EXPECT_EQ(table.metrics, (std::vector<std::string>{"largest", "psnr", "share_over(0.5)"}));
+  EXPECT_EQ(table.values,
+            (std::vector<std::vector<std::string>>{{"0.5", "40 dB", "-"}, {"7", "-", "1.5 %"}}));
+}
+
 TEST(ComparisonWords, JudgementsComeBrokenOnesFirst) {
   const PicturePair pair = testing::cracked_pair();
   const Comparison c = testing::cracked_comparison(pair);

@@ -124,6 +124,15 @@ TEST(HtmlPage, MarksNumbersAndKindsOfRows) {
   EXPECT_TRUE(has(text, "<tr><td>c</td>"));
 }
 
+TEST(HtmlPage, FoldsATableUnderItsCaption) {
+  HtmlPage page("t");
+  page.add_table({"caption", {{"a"}}, {{{"1"}}}, true});
+  EXPECT_TRUE(has(page.text(),
+                  "<details><summary>caption</summary><div class=\"scroll\"><table>"
+                  "<thead>"));
+  EXPECT_TRUE(has(page.text(), "</table></div></details>\n"));
+}
+
 TEST(HtmlPage, ShowsEveryPictureWithoutAScript) {
   const std::string text = full_page().text();
   const std::string address = "data:image/png;base64," + base64(png(4, 3));
