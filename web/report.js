@@ -314,8 +314,9 @@
       this.place();
     }
 
-    // By hand: the blinking stops until it is chosen again.
+    // By hand, from whichever mode: the blinking stops until it is chosen again.
     swap() {
+      if (this.mode !== "blink") this.setMode("blink");
       this.blinks = false;
       this.toggle();
     }

@@ -21,25 +21,33 @@ struct Item {
   std::optional<Rgb> swatch;
 };
 
+std::string with_unit(const std::string& number, const std::string& unit) {
+  return unit.empty() ? number : number + " " + unit;
+}
+
 std::vector<Item> caption_items(const HeatSummary& summary, const HeatMapOptions& options) {
   std::vector<Item> items;
   if (!options.title.empty()) items.push_back({options.title, {}});
-  items.push_back({summary.finite == 0
-                       ? std::string("no values")
-                       : fmt::format("max {:.4g} {}", summary.largest_finite, options.unit),
-                   {}});
+  items.push_back(
+      {summary.finite == 0
+           ? std::string("no values")
+           : "max " + with_unit(fmt::format("{:.4g}", summary.largest_finite), options.unit),
+       {}});
   return items;
 }
 
 std::vector<Item> key_items(const HeatSummary& summary, const HeatScale& scale,
-                            const std::string& unit) {
+                            const HeatMapOptions& options) {
   std::vector<Item> items;
   if (scale.limit) {
-    items.push_back({fmt::format("over {:.4g} {}: {}", *scale.limit, unit, summary.over_limit),
-                     kOverLimitColour});
+    items.push_back(
+        {fmt::format("over {}: {}", with_unit(fmt::format("{:.4g}", *scale.limit), options.unit),
+                     summary.over_limit),
+         kOverLimitColour});
   }
   if (summary.infinite > 0)
-    items.push_back({fmt::format("infinite: {}", summary.infinite), kInfiniteColour});
+    items.push_back(
+        {fmt::format("{}: {}", options.infinite_name, summary.infinite), options.infinite_colour});
   if (summary.no_value > 0)
     items.push_back({fmt::format("no value: {}", summary.no_value), kNoValueColour});
   return items;
@@ -95,7 +103,7 @@ class LegendWriter {
       const int x = x0 + static_cast<int>(
                              std::floor(scale_position(scale, tick.value) * (columns - 1) + 0.5));
       image_->fill(x, y, scale_, 2 * scale_, kInk);
-      const std::string label = tick.label + " " + unit;
+      const std::string label = with_unit(tick.label, unit);
       const int wide = text_width_px(label, scale_);
       const int left = std::max(std::min(x - wide / 2, width_ - margin() - wide), margin());
       if (left < free_from) continue;  // its neighbour's label is in the way
@@ -115,7 +123,7 @@ int write_legend(RgbImage* image, int width, const HeatSummary& summary, const H
   LegendWriter writer(image, width, text_scale);
   writer.items(caption_items(summary, options));
   writer.bar(scale, options.unit);
-  writer.items(key_items(summary, scale, options.unit));
+  writer.items(key_items(summary, scale, options));
   return writer.bottom() + writer.margin() - 2 * text_scale;
 }
 
@@ -151,8 +159,11 @@ RgbImage heat_picture(int width, int height, std::span<const double> values,
   const HeatScale scale = heat_scale(values, options);
   RgbImage image(width, height);
   for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x)
-      image.set(x, y, heat_colour(scale, values[image.offset(x, y) / 3]));
+    for (int x = 0; x < width; ++x) {
+      const double value = values[image.offset(x, y) / 3];
+      const bool is_infinite = std::isinf(value) && value > 0.0;
+      image.set(x, y, is_infinite ? options.infinite_colour : heat_colour(scale, value));
+    }
   }
   return image;
 }

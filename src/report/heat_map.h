@@ -19,6 +19,8 @@ struct HeatMapOptions {
   double high = 0.0;  // its high end; 0: the limit, or where there is none the largest finite value
   /// Values above it (a claim's bound, say) have a colour of their own.
   std::optional<double> limit = std::nullopt;
+  std::string infinite_name = "infinite";  // of what is +inf: a depth's sky, say
+  Rgb infinite_colour = kInfiniteColour;
   int text_scale = 0;  // pixels a dot of the legend's letters; 0: by the picture's width
 };
 

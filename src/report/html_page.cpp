@@ -24,6 +24,12 @@ VerdictWords words_of(Verdict verdict) {
       return {"measured", "Measured only"};
     case Verdict::None:
       return {"measured", "No verdict"};
+    case Verdict::Equal:
+      return {"held", "Equal"};
+    case Verdict::Passes:
+      return {"held", "Passes"};
+    case Verdict::Fails:
+      return {"broken", "Fails"};
   }
   return {"measured", "?"};
 }
@@ -68,11 +74,18 @@ std::string escape_html(std::string_view text) {
   return escaped;
 }
 
+namespace {
+
+const char* class_of(const Column& column) {
+  return column.numeric ? " class=\"number\"" : column.wide ? " class=\"wide\"" : "";
+}
+
+}  // namespace
+
 std::string header_cells(const std::vector<Column>& columns) {
   std::string html;
   for (const Column& column : columns) {
-    html += fmt::format("<th scope=\"col\"{}>{}</th>", column.numeric ? " class=\"number\"" : "",
-                        escape_html(column.name));
+    html += fmt::format("<th scope=\"col\"{}>{}</th>", class_of(column), escape_html(column.name));
   }
   return html;
 }
@@ -82,10 +95,13 @@ std::string body_cells(const std::vector<Column>& columns, const std::vector<std
           cells.size());
   std::string html;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    html += fmt::format("<td{}>{}</td>", columns[i].numeric ? " class=\"number\"" : "",
-                        escape_html(cells[i]));
+    html += fmt::format("<td{}>{}</td>", class_of(columns[i]), escape_html(cells[i]));
   }
   return html;
+}
+
+const char* row_class(RowKind kind) {
+  return kind == RowKind::Ok ? " class=\"ok\"" : kind == RowKind::Bad ? " class=\"bad\"" : "";
 }
 
 HtmlPage::HtmlPage(std::string_view title) : title_(escape_html(title)) {}
@@ -104,6 +120,13 @@ void HtmlPage::add_paragraph(std::string_view text) {
   body_ += fmt::format("<p>{}</p>\n", escape_html(text));
 }
 
+void HtmlPage::add_list(std::string_view caption, const std::vector<std::string>& lines) {
+  if (lines.empty()) return;
+  body_ += fmt::format("<h3>{}</h3>\n<ul>\n", escape_html(caption));
+  for (const std::string& line : lines) body_ += fmt::format("<li>{}</li>\n", escape_html(line));
+  body_ += "</ul>\n";
+}
+
 void HtmlPage::add_key_values(std::string_view caption, const std::vector<KeyValue>& entries) {
   body_ +=
       fmt::format("<table class=\"facts\"><caption>{}</caption><tbody>\n", escape_html(caption));
@@ -115,22 +138,16 @@ void HtmlPage::add_key_values(std::string_view caption, const std::vector<KeyVal
 }
 
 void HtmlPage::add_table(const Table& table) {
-  std::string html = fmt::format(
-      "<div class=\"scroll\"><table><caption>{}</caption><thead><tr>{}</tr></thead><tbody>\n",
-      escape_html(table.caption), header_cells(table.columns));
+  const std::string caption = escape_html(table.caption);
+  std::string html = table.folded ? fmt::format("<details><summary>{}</summary>", caption) : "";
+  html += fmt::format("<div class=\"scroll\"><table>{}<thead><tr>{}</tr></thead><tbody>\n",
+                      table.folded ? "" : fmt::format("<caption>{}</caption>", caption),
+                      header_cells(table.columns));
   for (const Row& row : table.rows) {
-    const char* kind = row.kind == RowKind::Ok    ? " class=\"ok\""
-                       : row.kind == RowKind::Bad ? " class=\"bad\""
-                                                  : "";
-    html += fmt::format("<tr{}>{}</tr>\n", kind, body_cells(table.columns, row.cells));
+    html +=
+        fmt::format("<tr{}>{}</tr>\n", row_class(row.kind), body_cells(table.columns, row.cells));
   }
-  body_ += html + "</tbody></table></div>\n";
-}
-
-void HtmlPage::add_picture(std::string_view caption, const std::vector<std::uint8_t>& png) {
-  body_ += fmt::format(
-      "<figure class=\"picture\"><img src=\"{}\" alt=\"{}\"><figcaption>{}</figcaption></figure>\n",
-      png_address(png, caption), escape_html(caption), escape_html(caption));
+  body_ += html + "</tbody></table></div>" + (table.folded ? "</details>\n" : "\n");
 }
 
 void HtmlPage::add_details(std::string_view summary, std::string_view text) {

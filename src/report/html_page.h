@@ -9,7 +9,7 @@
 
 namespace plumb::report {
 
-enum class Verdict { Held, Broken, MeasuredOnly, None };
+enum class Verdict { Held, Broken, MeasuredOnly, None, Equal, Passes, Fails };
 
 struct KeyValue {
   std::string key;
@@ -19,6 +19,7 @@ struct KeyValue {
 struct Column {
   std::string name;
   bool numeric = false;  // set flush right
+  bool wide = false;     // of sentences: has room for a few words however narrow the window is
 };
 
 enum class RowKind { Plain, Ok, Bad };
@@ -32,6 +33,7 @@ struct Table {
   std::string caption;
   std::vector<Column> columns;
   std::vector<Row> rows;
+  bool folded = false;  // its caption alone until somebody asks
 };
 
 /// A picture of a viewer.
@@ -66,6 +68,23 @@ struct OffenderList {
   std::vector<Offender> offenders;
 };
 
+/// A row that leads to a page of its own, with a small picture.
+struct LinkRow {
+  std::string name;
+  std::string address;                      // '/' between folders, from this page's own; "": none
+  std::vector<std::uint8_t> thumbnail_png;  // may be empty
+  std::vector<std::string> cells;
+  RowKind kind = RowKind::Plain;
+};
+
+/// A table of other pages; picture and name go before the cells.
+struct LinkTable {
+  std::string caption;
+  std::string name_column;
+  std::vector<Column> columns;
+  std::vector<LinkRow> rows;
+};
+
 /// Text as HTML shows it: & < > " ' replaced by references, control characters (but line ends and
 /// tabs) by U+FFFD. The input is UTF-8.
 std::string escape_html(std::string_view text);
@@ -78,6 +97,8 @@ class HtmlPage {
   void add_verdict(Verdict verdict, std::string_view sentence);
   void add_heading(std::string_view text);
   void add_paragraph(std::string_view text);
+  /// One line each, with a dot before it; nothing where there is none.
+  void add_list(std::string_view caption, const std::vector<std::string>& lines);
   void add_key_values(std::string_view caption, const std::vector<KeyValue>& entries);
   /// Throws std::invalid_argument if a row has not as many cells as there are columns.
   void add_table(const Table& table);
@@ -89,6 +110,11 @@ class HtmlPage {
   void add_offenders(const OffenderList& list);
   /// One picture by itself (a chart, say). Throws std::invalid_argument if it is no PNG.
   void add_picture(std::string_view caption, const std::vector<std::uint8_t>& png);
+  /// A chart drawn as SVG. Throws std::invalid_argument if it does not begin as one.
+  void add_chart(std::string_view caption, std::string_view svg);
+  /// Throws std::invalid_argument if a row has not as many cells as there are columns, a picture is
+  /// no PNG, or an address is absolute.
+  void add_links(const LinkTable& table);
   /// Text that is there on request: the JSON of the run.
   void add_details(std::string_view summary, std::string_view text);
 

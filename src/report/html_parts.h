@@ -15,6 +15,9 @@ namespace plumb::report {
 std::string header_cells(const std::vector<Column>& columns);
 std::string body_cells(const std::vector<Column>& columns, const std::vector<std::string>& cells);
 
+/// The class of a row, with a space before it; "" for a plain one.
+const char* row_class(RowKind kind);
+
 /// The bytes of a PNG file as an address of its own. Throws std::invalid_argument if they are not a
 /// PNG's, or (unless width_px is 0) of another size.
 std::string png_address(std::span<const std::uint8_t> png, std::string_view name, int width_px = 0,

@@ -37,6 +37,23 @@ std::string figure(const Viewer& viewer, const ViewerImage& image) {
   return html;
 }
 
+// A path as an address: everything that could mean something else in one is encoded.
+std::string address_of(std::string_view path) {
+  require(!path.starts_with('/'), "an address must be relative, got '{}'", path);
+  std::string address;
+  for (const char c : path) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       c == '-' || c == '.' || c == '_' || c == '~' || c == '/';
+    address += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return address;
+}
+
+std::string linked(const std::string& address, const std::string& html) {
+  if (address.empty() || html.empty()) return html;
+  return fmt::format("<a href=\"{}\">{}</a>", address_of(address), html);
+}
+
 std::string pixel_link(const std::string& viewer_id, const Offender& offender) {
   if (offender.x_px < 0 || offender.y_px < 0) return "out of view";
   return fmt::format("<a href=\"#{}\" data-viewer=\"{}\" data-x=\"{}\" data-y=\"{}\">{}, {}</a>",
@@ -79,6 +96,21 @@ void HtmlPage::add_viewer(const Viewer& viewer) {
   body_ += html + "</div>\n</section>\n";
 }
 
+void HtmlPage::add_picture(std::string_view caption, const std::vector<std::uint8_t>& png) {
+  body_ += fmt::format(
+      "<figure class=\"picture\"><img src=\"{}\" alt=\"{}\"><figcaption>{}</figcaption></figure>\n",
+      png_address(png, caption), escape_html(caption), escape_html(caption));
+}
+
+void HtmlPage::add_chart(std::string_view caption, std::string_view svg) {
+  require(svg.starts_with("<svg "), "the chart '{}' is no SVG ({} bytes)", caption, svg.size());
+  const std::vector<std::uint8_t> bytes(svg.begin(), svg.end());
+  body_ += fmt::format(
+      "<figure class=\"chart\"><img src=\"data:image/svg+xml;base64,{}\" alt=\"{}\">"
+      "<figcaption>{}</figcaption></figure>\n",
+      base64(bytes), escape_html(caption), escape_html(caption));
+}
+
 void HtmlPage::add_offenders(const OffenderList& list) {
   require_id(list.viewer_id);
   std::string html = fmt::format(
@@ -91,6 +123,24 @@ void HtmlPage::add_offenders(const OffenderList& list) {
     html +=
         fmt::format("<tr><td class=\"number\">{}</td><td class=\"number\">{}</td>{}</tr>\n", ++rank,
                     pixel_link(list.viewer_id, offender), body_cells(list.columns, offender.cells));
+  }
+  body_ += html + "</tbody></table></div>\n";
+}
+
+void HtmlPage::add_links(const LinkTable& table) {
+  std::string html = fmt::format(
+      "<div class=\"scroll\"><table class=\"links\"><caption>{}</caption><thead><tr>"
+      "<th scope=\"col\">picture</th><th scope=\"col\">{}</th>{}</tr></thead><tbody>\n",
+      escape_html(table.caption), escape_html(table.name_column), header_cells(table.columns));
+  for (const LinkRow& row : table.rows) {
+    const std::string image =
+        row.thumbnail_png.empty()
+            ? ""
+            : fmt::format("<img src=\"{}\" alt=\"{}\">", png_address(row.thumbnail_png, row.name),
+                          escape_html(row.name));
+    html += fmt::format("<tr{}><td>{}</td><td>{}</td>{}</tr>\n", row_class(row.kind),
+                        linked(row.address, image), linked(row.address, escape_html(row.name)),
+                        body_cells(table.columns, row.cells));
   }
   body_ += html + "</tbody></table></div>\n";
 }

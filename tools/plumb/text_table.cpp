@@ -52,6 +52,26 @@ std::string text_table(const std::vector<TextColumn>& columns,
   return table;
 }
 
+std::string wrapped(std::string_view text, int width, int indent) {
+  require(indent >= 0 && indent < width, "an indent must lie in [0, {}), got {}", width, indent);
+  std::string lines, line;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    const std::string_view word = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (word.empty()) continue;
+    const bool begins = line.find_first_not_of(' ') == std::string::npos;
+    if (!begins && letters_in(line) + 1 + letters_in(word) > width) {
+      lines += line + "\n";
+      line.assign(static_cast<std::size_t>(indent), ' ');
+      line += word;
+    } else {
+      line += (begins ? "" : " ") + std::string(word);
+    }
+  }
+  return line.empty() ? lines : lines + line + "\n";
+}
+
 std::string text_bar(double part, double whole, int width) {
   if (!(part > 0.0) || !(whole > 0.0)) return "";
   const int length = static_cast<int>(std::floor(part / whole * width + 0.5));

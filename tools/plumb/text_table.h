@@ -20,6 +20,11 @@ int letters_in(std::string_view text);
 std::string text_table(const std::vector<TextColumn>& columns,
                        const std::vector<std::vector<std::string>>& rows);
 
+/// The text's words in lines of at most `width` letters, each with a line end; all but the first
+/// begin with `indent` spaces. A longer word has a line of its own. Throws std::invalid_argument
+/// unless 0 <= indent < width.
+std::string wrapped(std::string_view text, int width, int indent);
+
 /// "part" of "whole" as a bar of at most `width` '#'; anything above zero shows one.
 std::string text_bar(double part, double whole, int width);
 

@@ -42,6 +42,9 @@ HtmlPage full_page() {
   page.add_viewer(viewer);
   page.add_offenders({kHostile, "view-1", {{kHostile, false}}, {{3, 2, {kHostile}}}});
   page.add_picture(kHostile, png(7, 7));
+  page.add_list(kHostile, {kHostile});
+  page.add_chart(kHostile, "<svg ></svg>");
+  page.add_links({kHostile, kHostile, {{kHostile}}, {{kHostile, "a/b", png(3, 3), {kHostile}}}});
   page.add_details(kHostile, "{\"a\": \"" + kHostile + "\"}");
   return page;
 }
@@ -62,8 +65,9 @@ TEST(HtmlPage, EscapesEveryTextThatIsHandedIn) {
   for (std::size_t at = page.find(kTamed); at != std::string::npos; at = page.find(kTamed, at + 1))
     ++times;
   // title and h1; verdict, heading, paragraph; facts 3; table 3; viewer 2, figure: alt, data-name,
-  // caption, note; offenders 3; picture 2; details 2
-  EXPECT_EQ(times, 2 + 3 + 3 + 3 + 2 + 4 + 3 + 2 + 2);
+  // caption, note; offenders 3; picture 2; list 2; chart 2;
+  // links: caption, two columns, alt, name, cell; details 2
+  EXPECT_EQ(times, 2 + 3 + 3 + 3 + 2 + 4 + 3 + 2 + 2 + 2 + 6 + 2);
 }
 
 TEST(HtmlPage, RefersToNothingOutsideItself) {
@@ -75,7 +79,9 @@ TEST(HtmlPage, RefersToNothingOutsideItself) {
   EXPECT_FALSE(has(page, "<link"));
   for (std::size_t at = page.find("src=\""); at != std::string::npos;
        at = page.find("src=\"", at + 1))
-    EXPECT_EQ(page.compare(at + 5, 22, "data:image/png;base64,"), 0) << page.substr(at, 60);
+    EXPECT_TRUE(page.compare(at + 5, 22, "data:image/png;base64,") == 0 ||
+                page.compare(at + 5, 26, "data:image/svg+xml;base64,") == 0)
+        << page.substr(at, 60);
   EXPECT_TRUE(has(page, "default-src 'none'"));
 }
 
@@ -97,6 +103,12 @@ TEST(HtmlPage, SaysTheVerdictInWordsAndNotInColourAlone) {
   EXPECT_TRUE(has(page.text(), "<p class=\"verdict measured\"><strong>Measured only</strong>"));
   page.add_verdict(Verdict::None, "four");
   EXPECT_TRUE(has(page.text(), "<strong>No verdict</strong> <span>four</span>"));
+  page.add_verdict(Verdict::Equal, "five");
+  page.add_verdict(Verdict::Passes, "six");
+  page.add_verdict(Verdict::Fails, "seven");
+  EXPECT_TRUE(has(page.text(), "<p class=\"verdict held\"><strong>Equal</strong>"));
+  EXPECT_TRUE(has(page.text(), "<p class=\"verdict held\"><strong>Passes</strong>"));
+  EXPECT_TRUE(has(page.text(), "<p class=\"verdict broken\"><strong>Fails</strong>"));
 }
 
 TEST(HtmlPage, MarksNumbersAndKindsOfRows) {
@@ -110,6 +122,15 @@ TEST(HtmlPage, MarksNumbersAndKindsOfRows) {
   EXPECT_TRUE(has(text, "<tr class=\"ok\"><td>a</td><td class=\"number\">1</td></tr>"));
   EXPECT_TRUE(has(text, "<tr class=\"bad\"><td>b</td>"));
   EXPECT_TRUE(has(text, "<tr><td>c</td>"));
+}
+
+TEST(HtmlPage, FoldsATableUnderItsCaption) {
+  HtmlPage page("t");
+  page.add_table({"caption", {{"a"}}, {{{"1"}}}, true});
+  EXPECT_TRUE(has(page.text(),
+                  "<details><summary>caption</summary><div class=\"scroll\"><table>"
+                  "<thead>"));
+  EXPECT_TRUE(has(page.text(), "</table></div></details>\n"));
 }
 
 TEST(HtmlPage, ShowsEveryPictureWithoutAScript) {
@@ -129,6 +150,40 @@ TEST(HtmlPage, ListsAnOffenderOutOfViewWithoutALink) {
   page.add_offenders({"c", "v", {{"a", false}}, {{-1, -1, {"far off"}}}});
   EXPECT_TRUE(has(page.text(), "<td class=\"number\">out of view</td><td>far off</td>"));
   EXPECT_FALSE(has(page.text(), "<a href"));
+}
+
+TEST(HtmlPage, LinksNameAndPictureToAnotherPage) {
+  HtmlPage page("t");
+  page.add_links({"c",
+                  "file",
+                  {{"px", true}},
+                  {{"a b?.png", "pairs/a b?.png/index.html", png(2, 2), {"1"}, RowKind::Bad},
+                   {"gone", "", {}, {"-"}}}});
+  const std::string text = page.text();
+  EXPECT_TRUE(has(text, "<tr class=\"bad\"><td><a href=\"pairs/a%20b%3F.png/index.html\"><img "));
+  EXPECT_TRUE(has(text,
+                  "<a href=\"pairs/a%20b%3F.png/index.html\">a b?.png</a></td><td "
+                  "class=\"number\">1</td>"));
+  EXPECT_TRUE(has(text, "<tr><td></td><td>gone</td>"));
+}
+
+TEST(HtmlPage, RefusesAddressesThatLeadElsewhere) {
+  HtmlPage page("t");
+  EXPECT_THROW(page.add_links({"c", "n", {}, {{"a", "//example.org/", {}, {}}}}),
+               std::invalid_argument);
+  page.add_links({"c", "n", {}, {{"a", "javascript:alert(1)", {}, {}}}});
+  EXPECT_TRUE(has(page.text(), "href=\"javascript%3Aalert%281%29\""));
+}
+
+TEST(HtmlPage, HasNoListWithoutLines) {
+  HtmlPage page("t"), bare("t");
+  page.add_list("caption", {});
+  EXPECT_EQ(page.text(), bare.text());
+}
+
+TEST(HtmlPage, RefusesAChartThatIsNoSvg) {
+  HtmlPage page("t");
+  EXPECT_THROW(page.add_chart("c", "<script>"), std::invalid_argument);
 }
 
 TEST(HtmlPage, RefusesRowsThatDoNotFit) {
