@@ -47,9 +47,9 @@ struct Normal {
   double rms() const { return count > 0 ? std::sqrt(dd / static_cast<double>(count)) : 0.0; }
 };
 
-// A quarter of a million pixels tell a shift as well as all do: of larger pictures some rows.
+// A hundred thousand pixels tell a shift as well as all do: of larger pictures some rows.
 int row_stride(const Grid<float>& picture) {
-  constexpr std::int64_t kEnough = 250'000;
+  constexpr std::int64_t kEnough = 100'000;
   const std::int64_t pixels = std::int64_t{picture.columns()} * picture.rows();
   return static_cast<int>(std::max<std::int64_t>(1, pixels / kEnough));
 }

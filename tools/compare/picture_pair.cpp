@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "compare/value_models.h"
+#include "compare/display_encoding.h"
 #include "core/check.h"
 #include "core/parallel.h"
 
@@ -49,19 +49,14 @@ std::vector<const image::Plane*> colour_planes(const image::PlaneImage& picture)
 
 std::vector<std::vector<float>> display_colour(const image::PlaneImage& picture) {
   std::vector<std::vector<float>> display;
+  static const DisplayEncoding encoded;
+  const bool encode = picture.encoding == image::Encoding::Linear;
   for (const image::Plane* plane : colour_planes(picture)) {
     std::vector<float> values(plane->values.size());
-    const bool encode = picture.encoding == image::Encoding::Linear;
     parallel_for(static_cast<std::int64_t>(values.size()), 65536, [&](std::int64_t at) {
       const auto k = static_cast<std::size_t>(at);
       const float stored = plane->values[k];
-      if (!std::isfinite(stored)) {
-        values[k] = 0.0f;
-      } else {
-        values[k] = !encode         ? stored
-                    : stored > 0.0f ? static_cast<float>(linear_to_srgb(double{stored}))
-                                    : 0.0f;
-      }
+      values[k] = !std::isfinite(stored) ? 0.0f : encode ? encoded(stored) : stored;
     });
     display.push_back(std::move(values));
   }

@@ -71,6 +71,11 @@ Profile find_profile(const std::string& name_or_path) {
 
 namespace {
 
+// Quoted where a point would make it two keys.
+std::string key_of(const std::string& metric) {
+  return metric.find('.') == std::string::npos ? metric : audit::toml_text(metric);
+}
+
 std::string option_lines(const MeasureOptions& options) {
   const auto line = [](const char* name, double value) {
     return fmt::format("{} = {}\n", name, audit::toml_number(value));
@@ -101,7 +106,7 @@ std::string to_toml(const Profile& profile) {
                                                         audit::toml_number(limit.bound)));
     } else {
       tables[table].push_back(
-          fmt::format("{} = {}", limit.metric, audit::toml_number(limit.bound)));
+          fmt::format("{} = {}", key_of(limit.metric), audit::toml_number(limit.bound)));
     }
   }
   for (const auto& [table, metrics] : counts) {
