@@ -52,7 +52,7 @@ report::LinkTable pairs_table(const FolderComparison& folders) {
                           "file",
                           {{"verdict"},
                            {"tightest limit"},
-                           {"measured, allowed", true},
+                           {"measured, allowed"},
                            {"used", true},
                            {"why", false, true}},
                           {}};
