@@ -180,6 +180,7 @@ Comparison compare_pictures(const PicturePair& given, const Profile& profile,
   measure_normals(measuring);
   measure_names(measuring);
   measure_channels(measuring);
+  measure_others(measuring);
   compare_headers(judged, result);
   judge(profile, result);
   find_reasons(profile, result);

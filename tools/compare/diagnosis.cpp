@@ -74,29 +74,55 @@ double deviation_of(const std::vector<PlanePair>& pairs, double mean) {
   return rms_of(of_itself, [&](double) { return mean; });
 }
 
+// Tries models of a candidate's numbers on a few pixels first, since most pairs have none.
+class ModelTrial {
+ public:
+  ModelTrial(const std::vector<PlanePair>& pairs, double mean_of_candidate, Findings& findings)
+      : pairs_(pairs),
+        findings_(findings),
+        before_(rms_of(pairs, kSame)),
+        before_of_few_(rms_of(pairs, kSame, kFew)),
+        deviation_(deviation_of(pairs, mean_of_candidate)) {}
+
+  template <class Model>
+  void offer(Systematic kind, const Model& model, const std::string& text) {
+    // Half as much again as a finding may leave: a few thousand numbers are nearer to all than
+    // that.
+    if (rms_of(pairs_, model, kFew) > 1.5 * kMostLeft * before_of_few_) return;
+    findings_.offer_model(kind, before_, rms_of(pairs_, model), deviation_, text);
+  }
+
+ private:
+  static constexpr std::int64_t kFew = 61;  // every so manieth pixel; prime, so no column's
+  static constexpr auto kSame = [](double x) { return x; };
+
+  const std::vector<PlanePair>& pairs_;
+  Findings& findings_;
+  double before_, before_of_few_, deviation_;
+};
+
 void look_at_values(const std::vector<PlanePair>& pairs, Findings& findings) {
-  const double before = rms_of(pairs, [](double x) { return x; });
   const LineFit fit = fit_line(pairs);
   const double offset = fit.mean_candidate - fit.mean_reference;
-  const double deviation = deviation_of(pairs, fit.mean_candidate);
-  const auto offer = [&](Systematic kind, double after, std::string text) {
-    findings.offer_model(kind, before, after, deviation, std::move(text));
-  };
-  offer(Systematic::Offset, rms_of(pairs, [&](double x) { return x + offset; }),
-        fmt::format("the candidate is the reference plus {:.4g}", offset));
-  offer(Systematic::Gain, rms_of(pairs, [&](double x) { return fit.gain * x; }),
-        fmt::format("the candidate is the reference times {:.4g}", fit.gain));
   const auto clamped = [](double x) { return std::clamp(x, 0.0, 1.0); };
-  offer(Systematic::LinearAsSrgb,
-        rms_of(pairs, [&](double x) { return image::srgb_to_linear(clamped(x)); }),
-        "the candidate holds linear light where the reference holds sRGB: it was not encoded");
-  offer(Systematic::SrgbAsLinear,
-        rms_of(pairs, [&](double x) { return linear_to_srgb(clamped(x)); }),
-        "the candidate holds sRGB where the reference holds linear light: it was encoded "
-        "twice, or should not have been");
+  ModelTrial trial(pairs, fit.mean_candidate, findings);
+  trial.offer(
+      Systematic::Offset, [&](double x) { return x + offset; },
+      fmt::format("the candidate is the reference plus {:.4g}", offset));
+  trial.offer(
+      Systematic::Gain, [&](double x) { return fit.gain * x; },
+      fmt::format("the candidate is the reference times {:.4g}", fit.gain));
+  trial.offer(
+      Systematic::LinearAsSrgb, [&](double x) { return image::srgb_to_linear(clamped(x)); },
+      "the candidate holds linear light where the reference holds sRGB: it was not encoded");
+  trial.offer(
+      Systematic::SrgbAsLinear, [&](double x) { return linear_to_srgb(clamped(x)); },
+      "the candidate holds sRGB where the reference holds linear light: it was encoded twice, or "
+      "should not have been");
   if (const std::optional<double> power = fit_power(pairs)) {
-    offer(Systematic::Gamma, rms_of(pairs, [&](double x) { return power_of(clamped(x), *power); }),
-          fmt::format("the candidate is the reference to the power of {:.4g}", *power));
+    trial.offer(
+        Systematic::Gamma, [&](double x) { return power_of(clamped(x), *power); },
+        fmt::format("the candidate is the reference to the power of {:.4g}", *power));
   }
 }
 
@@ -174,31 +200,35 @@ void look_at_depth(const PlaneImage& reference, const PlaneImage& candidate, Fin
   if (a == nullptr || b == nullptr) return;
   const std::vector<PlanePair> pairs{{a->values, b->values}};
   const double before = rms_of(pairs, [](double x) { return x; });
+  // Another convention explains all but roundings; that a coarse ground is farther explains less.
+  constexpr double kMostLeftOfDepth = 0.2;
+  const auto offer = [&](Systematic kind, double before_m, double after_m, std::string text) {
+    findings.offer(kind, before_m, after_m, std::move(text), kMostLeftOfDepth);
+  };
   const LineFit line = fit_line(pairs);
-  findings.offer(Systematic::DepthScale, before,
-                 rms_of(pairs, [&](double x) { return line.slope * x + line.intercept; }),
-                 fmt::format("the candidate's depth is the reference's times {:.6g} plus {:.4g} m",
-                             line.slope, line.intercept));
+  offer(Systematic::DepthScale, before,
+        rms_of(pairs, [&](double x) { return line.slope * x + line.intercept; }),
+        fmt::format("the candidate's depth is the reference's times {:.6g} plus {:.4g} m",
+                    line.slope, line.intercept));
   std::vector<float> inverse(a->values.size());
   std::transform(a->values.begin(), a->values.end(), inverse.begin(),
                  [](float z) { return 1.0f / z; });
   const std::vector<PlanePair> inverted{{inverse, b->values}};
   const LineFit window = fit_line(inverted);
-  findings.offer(
-      Systematic::WindowDepth, before,
-      rms_of(inverted, [&](double x) { return window.slope * x + window.intercept; }),
-      fmt::format("the candidate's depth is {:.6g} {:+.6g} / the reference's: window depth, {}",
-                  window.intercept, window.slope,
-                  window.slope > 0.0 ? "reversed" : "not along the view"));
+  offer(Systematic::WindowDepth, before,
+        rms_of(inverted, [&](double x) { return window.slope * x + window.intercept; }),
+        fmt::format("the candidate's depth is {:.6g} {:+.6g} / the reference's: window depth, {}",
+                    window.intercept, window.slope,
+                    window.slope > 0.0 ? "reversed" : "not along the view"));
   const std::optional<Camera> camera = image::camera_of(reference.metadata);
   if (!camera || static_cast<std::size_t>(camera->width_px) * camera->height_px != reference.size())
     return;
   const std::vector<float> lengths = ray_lengths(*camera);
   std::vector<float> distances(lengths.size());
   for (std::size_t k = 0; k < lengths.size(); ++k) distances[k] = lengths[k] * a->values[k];
-  findings.offer(Systematic::DistanceAsDepth, before,
-                 rms_of({PlanePair{distances, b->values}}, [](double x) { return x; }),
-                 "the candidate's depth is the distance along the ray");
+  offer(Systematic::DistanceAsDepth, before,
+        rms_of({PlanePair{distances, b->values}}, [](double x) { return x; }),
+        "the candidate's depth is the distance along the ray");
 }
 
 }  // namespace

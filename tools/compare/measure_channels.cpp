@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "compare/measuring.h"
+#include "compare/others_rules.h"
 #include "compare/plane_errors.h"
+#include "compare/planted_defects.h"
+#include "core/check.h"
 
 namespace plumb::compare {
 namespace {
@@ -94,6 +98,31 @@ void measure_channels(const Measuring& m) {
     count_numbers(m, reference, candidate, errors);
     add_plain(m, "channel", reference.name, errors, reference, candidate);
     if (reference.name == "A") add_plain(m, "alpha", "", errors, reference, candidate);
+  }
+}
+
+void measure_others(const Measuring& m) {
+  std::vector<OtherRule> wanted;
+  for (const OtherRule& rule : other_rules()) {
+    const bool limited = std::any_of(
+        m.profile.limits.begin(), m.profile.limits.end(),
+        [&](const Limit& limit) { return limit.group == "others" && limit.metric == rule.name; });
+    if (limited) wanted.push_back(rule);
+  }
+  if (wanted.empty() || colour_planes(m.pair.reference).empty()) return;
+  constexpr int kLeastSide_px = 7;
+  if (std::min(m.pair.width_px(), m.pair.height_px()) < kLeastSide_px)
+    input_error("'{}': the rule {} needs pictures of at least {} x {} pixels",
+                m.pair.candidate_name, wanted.front().name, kLeastSide_px, kLeastSide_px);
+  const std::vector<OtherVerdict> verdicts =
+      judge_by(wanted, bytes_of(m.pair.reference), bytes_of(m.pair.candidate));
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    const bool finite = std::isfinite(verdicts[k].value);
+    m.add({"others",
+           "",
+           wanted[k].name,
+           {},
+           finite ? std::optional(verdicts[k].value) : std::nullopt});
   }
 }
 

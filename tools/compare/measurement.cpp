@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "compare/others_rules.h"
 #include "core/check.h"
 
 namespace plumb::compare {
@@ -59,11 +60,18 @@ constexpr Metric kCoverage[] = {
     {"holes", "px", false, false, "sky where the reference leaves no choice but terrain"},
     {"overshoot", "px", false, false, "terrain where it leaves no choice but sky"}};
 
+std::vector<Metric> metrics_of_others() {
+  std::vector<Metric> metrics;
+  for (const OtherRule& rule : other_rules())
+    metrics.push_back({rule.name, rule.unit, rule.more_is_better, false, rule.meaning});
+  return metrics;
+}
+
 }  // namespace
 
 const std::vector<std::string>& metric_groups() {
   static const std::vector<std::string> groups{"colour", "alpha", "depth",    "position", "normal",
-                                               "id",     "lod",   "coverage", "channel"};
+                                               "id",     "lod",   "coverage", "channel",  "others"};
   return groups;
 }
 
@@ -75,6 +83,10 @@ std::span<const Metric> metrics_of(const std::string& group) {
   if (group == "normal") return kNormal;
   if (group == "id" || group == "lod") return kNames;
   if (group == "coverage") return kCoverage;
+  if (group == "others") {
+    static const std::vector<Metric> others = metrics_of_others();
+    return others;
+  }
   return {};
 }
 
@@ -104,8 +116,9 @@ bool Limit::is_about(const Measurement& measurement) const {
 
 bool Limit::holds(const Measurement& measurement) const {
   if (!measurement.value) return true;  // equal pictures
-  return measurement.info().more_is_better ? *measurement.value >= bound
-                                           : *measurement.value <= bound;
+  if (!measurement.info().more_is_better) return *measurement.value <= bound;
+  const bool strict = group == "others";  // as those rules say it
+  return strict ? *measurement.value > bound : *measurement.value >= bound;
 }
 
 }  // namespace plumb::compare

@@ -19,7 +19,7 @@ struct Metric {
 
 /// Groups of channels: "colour" (R G B or Y), "alpha" (A), "depth" (Z), "position" (P.X P.Y P.Z),
 /// "normal" (N.X N.Y N.Z), "id", "lod", "coverage" (of depth, else of alpha), and "channel" (each
-/// channel by itself).
+/// channel by itself); "others": what others' rules measure of the colours, as 8-bit sRGB.
 const std::vector<std::string>& metric_groups();
 /// What can be measured of a group; nothing for an unknown one.
 std::span<const Metric> metrics_of(const std::string& group);

@@ -47,4 +47,6 @@ void measure_names(const Measuring& measuring);  // id and lod
 void measure_coverage(const Measuring& measuring);
 void measure_channels(const Measuring& measuring);  // each by itself, alpha, and NaN
 
+void measure_others(const Measuring& measuring);  // only what limits speak of
+
 }  // namespace plumb::compare

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "compare/coverage_check.h"
+#include "compare/picture_pair.h"
 #include "compare/value_models.h"
 #include "core/check.h"
 #include "core/parallel.h"
@@ -192,15 +193,16 @@ PlaneImage encoded_twice(const PlaneImage& picture) {
 }
 
 PlaneImage colours_alone(const PlaneImage& picture) {
+  const std::vector<const Plane*> from = colour_planes(picture);
+  require(!from.empty(), "a picture must have colour");
   PlaneImage result;
   result.width_px = picture.width_px;
   result.height_px = picture.height_px;
   result.encoding = image::Encoding::Srgb;
   result.bits = 8;
-  for (const char* name : {"R", "G", "B"}) {
-    const Plane* plane = picture.find(name);
-    require(plane != nullptr, "a picture must have the channel {}", name);
-    Plane bytes{name, plane->values};
+  constexpr const char* kNames[3] = {"R", "G", "B"};
+  for (std::size_t c = 0; c < 3; ++c) {
+    Plane bytes{kNames[c], from[c]->values};
     for (float& value : bytes.values) {
       if (picture.encoding == image::Encoding::Linear) {
         value = static_cast<float>(image::linear_to_srgb8(value)) / 255.0f;
@@ -211,6 +213,17 @@ PlaneImage colours_alone(const PlaneImage& picture) {
     result.planes.push_back(std::move(bytes));
   }
   return result;
+}
+
+image::Rgb8Image bytes_of(const PlaneImage& picture) {
+  const PlaneImage shown = colours_alone(picture);
+  image::Rgb8Image bytes{shown.width_px, shown.height_px, {}};
+  bytes.rgb.resize(3 * shown.size());
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t k = 0; k < shown.size(); ++k)
+      bytes.rgb[3 * k + c] = static_cast<std::uint8_t>(shown.planes[c].values[k] * 255.0f + 0.5f);
+  }
+  return bytes;
 }
 
 }  // namespace plumb::compare

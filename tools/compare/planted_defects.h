@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "image/colour_image.h"
 #include "image/plane_image.h"
 
 namespace plumb::compare {
@@ -55,5 +56,7 @@ image::PlaneImage moved(const image::PlaneImage& picture, double x_px, double y_
 image::PlaneImage encoded_twice(const image::PlaneImage& picture);
 /// Red, green and blue alone, as a PNG would have them: sRGB of 8 bits.
 image::PlaneImage colours_alone(const image::PlaneImage& picture);
+/// The bytes of that; grey is all three. Throws std::invalid_argument without colour.
+image::Rgb8Image bytes_of(const image::PlaneImage& picture);
 
 }  // namespace plumb::compare

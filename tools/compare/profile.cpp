@@ -6,6 +6,7 @@
 #include <map>
 
 #include "audit/toml_document.h"
+#include "compare/others_rules.h"
 #include "core/check.h"
 
 namespace plumb::compare {
@@ -30,14 +31,29 @@ Profile tolerant() {
                     {"colour", "", "isolated_pixels", {}, 20.0},
                     {"colour", "", "unexplained_share", {}, 0.5},
                     {"depth", "", "unexplained_share", {}, 0.5},
-                    {"normal", "", "unmatched_share", {}, 0.5}};
+                    {"normal", "", "unmatched_share", {}, 5.0}};
   return profile;
 }
 
 }  // namespace
 
+namespace {
+
+std::vector<Profile> all_profiles() {
+  std::vector<Profile> profiles{tolerant(), exact()};
+  for (const OtherRule& rule : other_rules()) {
+    Profile profile{rule.name, fmt::format("{}: {}", rule.whose, rule.meaning), {}, {}};
+    profile.limits.push_back({"others", "", rule.name, {}, rule.limit});
+    profile.judges_systematic = profile.judges_numbers = false;
+    profiles.push_back(std::move(profile));
+  }
+  return profiles;
+}
+
+}  // namespace
+
 const std::vector<Profile>& built_in_profiles() {
-  static const std::vector<Profile> profiles{tolerant(), exact()};
+  static const std::vector<Profile> profiles = all_profiles();
   return profiles;
 }
 

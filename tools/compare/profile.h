@@ -33,7 +33,7 @@ struct Profile {
   friend bool operator==(const Profile&, const Profile&) = default;
 };
 
-/// "default", "exact", ...; the first one is the default.
+/// "default", "exact", and one for each rule of others_rules.h; the first one is the default.
 const std::vector<Profile>& built_in_profiles();
 
 /// The built-in profile of that name, or a TOML file (docs/comparing.md). Throws InputError that

@@ -15,10 +15,10 @@ struct PlanePair {
   std::span<const float> reference, candidate;
 };
 
-/// Root mean square of candidate - model(reference), over the numbers that are finite in both; 0 if
-/// there are none. Same bits on any number of threads.
+/// Root mean square of candidate - model(reference), over the numbers that are finite in both (of
+/// every `stride`-th pixel, stride >= 1); 0 if there are none. Same bits on any number of threads.
 template <class Model>
-double rms_of(const std::vector<PlanePair>& pairs, const Model& model) {
+double rms_of(const std::vector<PlanePair>& pairs, const Model& model, std::int64_t stride = 1) {
   struct Sum {
     double squares = 0.0;
     std::int64_t count = 0;
@@ -26,9 +26,10 @@ double rms_of(const std::vector<PlanePair>& pairs, const Model& model) {
   Sum all;
   for (const PlanePair& pair : pairs) {
     const Sum sum = parallel_ordered_reduce(
-        static_cast<std::int64_t>(pair.reference.size()), 65536, Sum{},
+        (static_cast<std::int64_t>(pair.reference.size()) + stride - 1) / stride, 65536, Sum{},
         [&](std::int64_t begin, std::int64_t end, Sum value) {
-          for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+          for (std::int64_t at = begin; at < end; ++at) {
+            const auto k = static_cast<std::size_t>(at * stride);
             const double x = pair.reference[k], y = pair.candidate[k];
             if (!std::isfinite(x) || !std::isfinite(y)) continue;
             const double left = y - model(x);
