@@ -47,14 +47,23 @@ struct Normal {
   double rms() const { return count > 0 ? std::sqrt(dd / static_cast<double>(count)) : 0.0; }
 };
 
+// A quarter of a million pixels tell a shift as well as all do: of larger pictures some rows.
+int row_stride(const Grid<float>& picture) {
+  constexpr std::int64_t kEnough = 250'000;
+  const std::int64_t pixels = std::int64_t{picture.columns()} * picture.rows();
+  return static_cast<int>(std::max<std::int64_t>(1, pixels / kEnough));
+}
+
 // Reference moved by `by`, candidate by `back`. What differs by more than `most` counts as that
 // much and has no say in where to go: outlines that a sampler took for one side or the other.
 Normal sums(const Grid<float>& reference, const Grid<float>& candidate, const glm::dvec2& by,
             const glm::dvec2& back) {
+  const int stride = row_stride(reference);
   return parallel_ordered_reduce(
-      reference.rows() - 2 * kRim, 16, Normal{},
+      (reference.rows() - 2 * kRim + stride - 1) / stride, 16, Normal{},
       [&](std::int64_t begin, std::int64_t end, Normal normal) {
-        for (auto row = static_cast<int>(begin) + kRim; row < static_cast<int>(end) + kRim; ++row) {
+        for (auto k = static_cast<int>(begin); k < static_cast<int>(end); ++k) {
+          const int row = kRim + stride * k;
           for (int column = kRim; column < reference.columns() - kRim; ++column) {
             const double x = column - by.x, y = row - by.y, u = column - back.x, v = row - back.y;
             const double difference = at(candidate, u, v) - at(reference, x, y);
@@ -80,14 +89,15 @@ Normal sums(const Grid<float>& reference, const Grid<float>& candidate, const gl
       });
 }
 
-// Sum of squared differences at a whole shift, of every fourth row.
+// Sum of squared differences at a whole shift, of every fourth row or fewer.
 double squares_at(const Grid<float>& reference, const Grid<float>& candidate, int di, int dj) {
-  const int rows = (reference.rows() - 2 * kRim + 3) / 4;
+  const int stride = 4 * row_stride(reference);
+  const int rows = (reference.rows() - 2 * kRim + stride - 1) / stride;
   return parallel_ordered_reduce(
       rows, 16, 0.0,
       [&](std::int64_t begin, std::int64_t end, double value) {
         for (auto k = static_cast<int>(begin); k < static_cast<int>(end); ++k) {
-          const int j = kRim + 4 * k;
+          const int j = kRim + stride * k;
           for (int i = kRim; i < reference.columns() - kRim; ++i) {
             const double d = double{candidate(i + di, j + dj)} - double{reference(i, j)};
             value += d * d;

@@ -21,7 +21,8 @@ inline constexpr double kJitter_px = 0.2;
 /// The shift within 3.5 pixels, in x and in y, that leaves the smallest root mean square
 /// difference. Pictures are of finite numbers, row 0 at the top, of one size; smaller ones than
 /// 16 x 16 are not shifted. `rms_before` is of the two as blurred as the moved ones are, so that a
-/// blur explains nothing. Same bits on any number of threads.
+/// blur explains nothing. Of pictures above a quarter of a megapixel some rows are looked at. Same
+/// bits on any number of threads.
 Shift find_shift(const Grid<float>& reference, const Grid<float>& candidate);
 
 /// Share of the pixels in which the two pictures differ by more than a quarter of a pixel of shift

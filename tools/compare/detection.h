@@ -37,6 +37,9 @@ enum class Channels { All, ColoursAlone };
 /// are 8-bit sRGB, and noise is a step of their own codes.
 std::vector<HarmedPicture> harmed_pictures(const PlantedScene& scene, std::uint64_t seed,
                                            Channels channels);
+/// The harmless kinds alone.
+std::vector<HarmedPicture> harmless_pictures(const PlantedScene& scene, std::uint64_t seed,
+                                             Channels channels);
 /// Those kinds that need no scene; shifts are resampled.
 std::vector<HarmedPicture> harmed_pictures(const image::PlaneImage& reference, std::uint64_t seed,
                                            Channels channels);

@@ -34,6 +34,12 @@ class Harm {
     pictures_.push_back({&kind_named(name), reference_, std::move(picture)});
   }
 
+  void add_noise() { add_shown("noise", with_least_bit_noise(reference_, places_)); }
+  void add_jitter(const PlantedScene& scene) {
+    const double angle = 6.283185307179586 * places_.share();
+    add("jitter-0.1px", scene.shifted(kJitterOfSamplers_px * reproducible_cos(angle),
+                                      kJitterOfSamplers_px * reproducible_sin(angle)));
+  }
   void add_of_pictures() {
     for (const int width : {1, 2, 3})
       add(width == 1   ? "crack-1px"
@@ -42,11 +48,10 @@ class Harm {
           with_crack(all_, width, kCrackLength_px, places_));
     add("pinholes", with_pinholes(all_, kPinholes, places_));
     add("missing-tile", with_missing_tile(all_, kTile_px, places_));
-    add_shown("noise", with_least_bit_noise(reference_, places_));
+    add_noise();
     add_shown("wrong-gamma", encoded_twice(reference_));
   }
 
-  double angle() { return 6.283185307179586 * places_.share(); }
   std::vector<HarmedPicture> take() { return std::move(pictures_); }
 
  private:
@@ -84,9 +89,7 @@ std::vector<HarmedPicture> harmed_pictures(const PlantedScene& scene, std::uint6
                                            Channels channels) {
   const PlaneImage reference = scene.drawn();
   Harm harm(reference, seed, channels);
-  const double angle = harm.angle();
-  harm.add("jitter-0.1px", scene.shifted(kJitterOfSamplers_px * reproducible_cos(angle),
-                                         kJitterOfSamplers_px * reproducible_sin(angle)));
+  harm.add_jitter(scene);
   harm.add("shift-0.5px", scene.shifted(0.5, 0.5));
   harm.add("shift-1px", scene.shifted(1.0, 0.0));
   harm.add_of_pictures();
@@ -95,6 +98,15 @@ std::vector<HarmedPicture> harmed_pictures(const PlantedScene& scene, std::uint6
   harm.add("lod-8", scene.with_level_of_detail(8));
   harm.add("lod-16", scene.with_level_of_detail(16));
   harm.add("wrong-normals", scene.with_wrong_normals());
+  return harm.take();
+}
+
+std::vector<HarmedPicture> harmless_pictures(const PlantedScene& scene, std::uint64_t seed,
+                                             Channels channels) {
+  const PlaneImage reference = scene.drawn();
+  Harm harm(reference, seed, channels);
+  harm.add_jitter(scene);
+  harm.add_noise();
   return harm.take();
 }
 

@@ -56,7 +56,7 @@ struct LineFit {
 LineFit fit_line(const std::vector<PlanePair>& pairs);
 
 /// The power p of candidate = reference^p, least squares of the logarithms of numbers in
-/// [0.02, 0.98]; nothing if there are no such numbers.
+/// [0.02, 0.98], of a hundred thousand of them or a few more; nothing if there are no such numbers.
 std::optional<double> fit_power(const std::vector<PlanePair>& pairs);
 
 /// x^power for x >= 0; sRGB of linear light in [0, 1].

@@ -50,6 +50,7 @@ Command info_command();
 Command truth_command();
 Command render_command();
 Command audit_command();
+Command compare_command();
 Command golden_command();
 Command profile_command();
 
