@@ -208,8 +208,10 @@ ErrorMap error_map(const AuditResult& result, const std::vector<float>& errors_p
   options.unit = unit;
   if (limit_px > 0.0) options.limit = limit_px;
   const int width = result.drawn.width_px, height = result.drawn.height_px;
+  report::HeatMapOptions of_page = options;
+  of_page.text_scale = report::kPageLegendTextScale;
   return {converted(report::heat_picture(width, height, values, options)),
-          converted(report::heat_legend(width, values, options)),
+          converted(report::heat_legend(report::kPageLegendWidthPx, values, of_page)),
           converted(report::heat_map(width, height, values, options))};
 }
 

@@ -24,6 +24,11 @@ struct HeatMapOptions {
   int text_scale = 0;  // pixels a dot of the legend's letters; 0: by the picture's width
 };
 
+/// Of a legend that stands by itself in a page: readable in half of it, whatever the picture's
+/// width.
+inline constexpr int kPageLegendWidthPx = 640;
+inline constexpr int kPageLegendTextScale = 2;
+
 /// The scale that the pictures below use. A scale that would be empty (every value zero) ends at
 /// low + 1. Throws std::invalid_argument unless low and high are finite and >= 0, and high is 0 or
 /// above low.

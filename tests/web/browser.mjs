@@ -110,12 +110,10 @@ class Tab {
     Object.assign(this, { browser, session, target });
     this.faults = []; // errors and exceptions of the console
     this.requests = []; // addresses
-    this.loaded = 0;
     browser.listeners.push((message) => message.sessionId === session && this.hear(message));
   }
 
   hear({ method, params }) {
-    if (method === "Page.loadEventFired") ++this.loaded;
     if (method === "Network.requestWillBeSent") this.requests.push(params.request.url);
     if (method === "Runtime.exceptionThrown")
       this.faults.push(params.exceptionDetails.exception?.description ?? params.exceptionDetails.text);
@@ -138,10 +136,17 @@ class Tab {
     await this.send("Emulation.setEmulatedMedia", { features: [{ name: "prefers-color-scheme", value: scheme }] });
   }
 
-  async go(url) {
-    const before = this.loaded;
-    await this.send("Page.navigate", { url });
-    await this.until(async () => this.loaded > before, `${url} is loaded`);
+  go(url) {
+    return this.leadsTo(url, () => this.send("Page.navigate", { url }));
+  }
+
+  // Does what opens another page, and waits for it; what is asked of the old one in between has no answer.
+  async leadsTo(url, act) {
+    await act();
+    const arrived = () =>
+      this.evaluate(`document.readyState === "complete" && location.href === ${JSON.stringify(url)}`).catch(() => false);
+    await this.until(arrived, `${url} is loaded`);
+    await this.frame();
   }
 
   async evaluate(expression) {
@@ -171,13 +176,11 @@ class Tab {
     const at = { x, y, button: "left", clickCount: 1 };
     await this.send("Input.dispatchMouseEvent", { ...at, type: "mousePressed" });
     await this.send("Input.dispatchMouseEvent", { ...at, type: "mouseReleased" });
-    await this.frame();
   }
 
   async press(key, text = undefined) {
     await this.send("Input.dispatchKeyEvent", { type: "keyDown", key, text });
     await this.send("Input.dispatchKeyEvent", { type: "keyUp", key });
-    await this.frame();
   }
 
   // A PNG's bytes; of the whole page, or of a rectangle {x, y, width, height} of it.

@@ -66,7 +66,8 @@ async function moves_the_slider(tab) {
   const slider = await box(tab, ".toolbar input[type=range]");
   assert.ok(slider.seen, "the slider can be seen");
   await tab.click(slider.x + 0.15 * slider.width, slider.y + 0.5 * slider.height);
-  assert.notEqual(await clip(), before.clip, "the edge has moved");
+  await tab.until(async () => (await clip()) !== before.clip, "the edge has moved");
+  await tab.frame();
   assert.ok(Number(await tab.evaluate(`document.querySelector(".toolbar input[type=range]").value`)) < 30);
   assert.notDeepEqual(await stage(tab), before.picture, "the picture has changed");
 }
@@ -80,11 +81,11 @@ async function swaps(tab) {
   assert.equal(await name(), first, "once swapped by hand it blinks no more");
   await tab.evaluate(`document.querySelector(".stage").focus()`);
   await tab.press(" ", " ");
-  assert.notEqual(await name(), first, "the space bar swaps");
+  await tab.until(async () => (await name()) !== first, "the space bar swaps");
   await mode(tab, "Side by side");
   await tab.evaluate(`document.querySelector(".stage").focus()`);
   await tab.press(" ", " ");
-  assert.equal(await tab.evaluate(`document.querySelectorAll(".pane").length`), 1, "it swaps from any mode");
+  await tab.until(() => tab.evaluate(`document.querySelectorAll(".pane").length === 1`), "it swaps from any mode");
 }
 
 async function shows_the_legend(tab, name) {
@@ -105,10 +106,12 @@ async function jumps_to_an_offender(tab, name) {
     return link && { x: Number(link.dataset.x), y: Number(link.dataset.y) };
   })()`);
   assert.ok(link, "there is a link to a pixel");
-  const hidden = await tab.evaluate(`document.querySelector(".pane .mark").hidden`);
+  const hidden = () => tab.evaluate(`document.querySelector(".pane .mark").hidden`);
+  assert.ok(await hidden(), "no pixel is marked before");
   const at = await box(tab, "a[data-viewer]");
   await tab.click(at.x + at.width / 2, at.y + at.height / 2);
-  assert.ok(hidden && (await tab.evaluate(`!document.querySelector(".pane .mark").hidden`)), "the pixel is marked now");
+  await tab.until(async () => !(await hidden()), "the pixel is marked");
+  await tab.frame();
   const said = await tab.evaluate(`document.querySelector(".place").textContent`);
   assert.ok(said.startsWith(`pixel ${link.x}, ${link.y} `), `the viewer says where: '${said}'`);
   const zoom = await tab.evaluate(`(() => {
@@ -180,8 +183,9 @@ async function index_page(browser) {
   await check("index: fits wide and narrow windows", () => photographs(tab, "index"));
   await check("index: a row leads to its own page", async () => {
     const row = await box(tab, ".links a img");
-    await tab.click(row.x + row.width / 2, row.y + row.height / 2);
-    await tab.until(() => tab.evaluate(`document.querySelector(".viewer.live") !== null`), "the pair's page is there");
+    const url = await tab.evaluate(`document.querySelector(".links a").href`);
+    await tab.leadsTo(url, () => tab.click(row.x + row.width / 2, row.y + row.height / 2));
+    assert.ok(await tab.evaluate(`document.querySelector(".viewer.live") !== null`), "it has a viewer");
   });
   await check("index: no request leaves the page", () => asks_nobody(tab));
   await check("index: no error in the console", async () => assert.deepEqual(tab.faults, []));

@@ -58,7 +58,7 @@ report::Viewer write_pictures(const fs::path& folder, const std::vector<ReportPi
 }
 
 std::string histogram_caption(const ErrorMap& map, const report::Histogram& histogram) {
-  std::string text = fmt::format("{}: {} Left out: {} pixels without a difference", map.name,
+  std::string text = fmt::format("{}: {}; left out: {} pixels without a difference", map.name,
                                  map.meaning, histogram.zero);
   if (histogram.infinite > 0) text += fmt::format(", {} infinite ones", histogram.infinite);
   if (histogram.no_value > 0) text += fmt::format(", {} without a value", histogram.no_value);

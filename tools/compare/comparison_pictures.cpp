@@ -58,10 +58,10 @@ ReportPicture map_picture(const PicturePair& pair, const ErrorMap& map, std::str
   options.title = map.name;
   options.unit = map.unit;
   options.limit = map.limit;
-  options.text_scale = kLegendTextScale;
+  options.text_scale = report::kPageLegendTextScale;
   return {std::move(file), map.name, map.meaning,
           converted(report::heat_picture(pair.width_px(), pair.height_px(), values, options)),
-          converted(report::heat_legend(kLegendWidthPx, values, options))};
+          converted(report::heat_legend(report::kPageLegendWidthPx, values, options))};
 }
 
 }  // namespace

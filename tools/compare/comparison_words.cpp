@@ -143,11 +143,8 @@ double use_of(const Judgement& judgement) {
   const bool more = m.info().more_is_better;
   const double part = more ? judgement.limit.bound : *m.value;
   const double whole = more ? *m.value : judgement.limit.bound;
-  if (judgement.holds) {
-    const double share = part / whole;  // nan: 0 / 0 or inf / inf
-    return share > 0.0 ? std::min(share, 1.0) : 0.0;
-  }
-  const double share = part / whole;
+  const double share = part / whole;  // nan: 0 / 0 or inf / inf
+  if (judgement.holds) return share > 0.0 ? std::min(share, 1.0) : 0.0;
   return share > 1.0 ? share : kInfinite;
 }
 
@@ -167,8 +164,7 @@ std::vector<const Judgement*> by_use(const Comparison& comparison) {
   std::vector<const Judgement*> all;
   for (const Judgement& judgement : comparison.judgements) all.push_back(&judgement);
   std::stable_sort(all.begin(), all.end(), [](const Judgement* a, const Judgement* b) {
-    if (a->holds != b->holds) return b->holds;
-    return use_of(*a) > use_of(*b);
+    return use_of(*a) > use_of(*b);  // above one where it is broken, and nowhere else
   });
   return all;
 }

@@ -109,7 +109,7 @@ DisplayPair heat_pair(const PicturePair& pair, const std::string& name, const Ra
   options.unit = "";
   options.infinite_name = "sky (infinite)";
   options.infinite_colour = kSkyColour;
-  options.text_scale = kLegendTextScale;
+  options.text_scale = report::kPageLegendTextScale;
   if (!range.empty()) options.low = range.low;
   if (range.high > options.low) options.high = range.high;
   options.logarithmic = options.low > 0.0 && options.high > 50.0 * options.low;
@@ -122,7 +122,7 @@ DisplayPair heat_pair(const PicturePair& pair, const std::string& name, const Ra
           converted(report::heat_picture(pair.width_px(), pair.height_px(),
                                          values_of(pair.candidate), options)),
           fmt::format("Channel {}, both pictures on one scale.", name),
-          converted(report::heat_legend(kLegendWidthPx, reference, options))};
+          converted(report::heat_legend(report::kPageLegendWidthPx, reference, options))};
 }
 
 double largest_difference(const PicturePair& pair, const Channels& a, const Channels& b) {

@@ -29,8 +29,4 @@ struct DifferencePicture {
 /// mask does not judge the picture is black; the gain makes the largest judged difference visible.
 DifferencePicture difference_picture(const PicturePair& pair);
 
-/// Width of legends in reports: two pixels a dot, readable in half of a page.
-inline constexpr int kLegendWidthPx = 640;
-inline constexpr int kLegendTextScale = 2;
-
 }  // namespace plumb::compare

@@ -1,6 +1,7 @@
 #include "comparison_text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -84,8 +85,9 @@ std::string facts_text(const Comparison& c) {
                                 "of the mask alone",
                                 c.mask->masked, c.mask->would_differ, c.mask->would_fail),
                     kWidth, 2);
-  for (const std::string& name : c.not_judged)
-    text += wrapped(fmt::format("not judged, no such channel: {}", name), kWidth, 2);
+  if (!c.not_judged.empty())
+    text += wrapped(fmt::format("not judged, no such channel: {}", fmt::join(c.not_judged, ", ")),
+                    kWidth, 2);
   for (const std::string& note : c.notes) text += wrapped("note: " + note, kWidth, 2);
   return text.empty() ? "" : "\n" + text;
 }
@@ -122,11 +124,12 @@ std::string folder_text(const compare::FolderComparison& folders) {
   std::string text = wrapped(fmt::format("{}: {}", compare::verdict_label(folders.verdict()),
                                          compare::verdict_sentence(folders)),
                              kWidth, 2);
-  Rows rows;
   for (const compare::MissingFile& file : folders.missing)
-    rows.push_back({"MISSING", file.name, compare::missing_text(file), "", ""});
+    text +=
+        wrapped(fmt::format("MISSING {}: {}", file.name, compare::missing_text(file)), kWidth, 2);
   for (const compare::FolderError& error : folders.errors)
-    rows.push_back({"ERROR", error.name, error.message, "", ""});
+    text += wrapped(fmt::format("ERROR {}: {}", error.name, error.message), kWidth, 2);
+  Rows rows;
   for (const std::size_t at : compare::by_badness(folders)) {
     const compare::FolderPair& pair = folders.pairs[at];
     std::vector<std::string> row{compare::verdict_label(pair.comparison.verdict), pair.name, "-",

@@ -77,7 +77,8 @@ TEST(ComparisonPage, HoldsVerdictReasonsPicturesAndWorstPixels) {
   EXPECT_TRUE(has(page, "<td>Z 2050</td><td>Z inf</td>"));
   EXPECT_TRUE(has(page, "data:image/svg+xml;base64,"));
   // The crack's six pixels of 32 x 16 differ.
-  EXPECT_TRUE(has(page, "Left out: 506 pixels without a difference."));
+  EXPECT_TRUE(
+      has(page, "largest difference of a channel; left out: 506 pixels without a difference."));
   EXPECT_TRUE(has(page, "&quot;schema&quot;: &quot;plumb.compare/1&quot;"));
 }
 

@@ -8,6 +8,7 @@
 
 #include "compare/display_pictures.h"
 #include "image/image_files.h"
+#include "report/heat_map.h"
 #include "report/heat_scale.h"
 #include "small_comparisons.h"
 #include "support/run_command.h"
@@ -72,7 +73,7 @@ TEST(DisplayPictures, ShowDepthAsAHeatMapOnOneScale) {
   EXPECT_EQ(at(shown.reference, 1, 0), code(report::scale_colour(0.5)));
   EXPECT_EQ(at(shown.candidate, 0, 0), code(report::scale_colour(1.0)));
   EXPECT_EQ(at(shown.reference, 2, 0), (Code{196, 204, 214}));
-  EXPECT_EQ(shown.legend.width_px, kLegendWidthPx);
+  EXPECT_EQ(shown.legend.width_px, report::kPageLegendWidthPx);
 }
 
 TEST(DisplayPictures, ShowAnyOtherChannelInGreysBetweenItsExtremes) {
@@ -126,7 +127,7 @@ TEST(ComparisonPictures, AMapHasAColourForWhatIsOverItsLimit) {
   const auto pictures = comparison_pictures(pair, testing::cracked_comparison(pair));
   EXPECT_EQ(at(pictures[3].picture, 20, 8), code(report::kOverLimitColour));
   EXPECT_EQ(at(pictures[3].picture, 10, 8), code(report::scale_colour(0.0)));
-  EXPECT_EQ(pictures[3].legend.width_px, kLegendWidthPx);
+  EXPECT_EQ(pictures[3].legend.width_px, report::kPageLegendWidthPx);
 }
 
 TEST(ComparisonPictures, RefuseAMapOfAnotherSize) {

@@ -79,7 +79,7 @@ inline Judgement judged(const Measurement& measured, double bound, bool holds) {
 
 /// Largest difference of the colours at each pixel; NaN where the mask does not judge.
 inline ErrorMap colour_map(const PicturePair& pair) {
-  ErrorMap map{"colour difference", "Largest difference of a channel.", "", {}, 0.1};
+  ErrorMap map{"colour difference", "largest difference of a channel", "", {}, 0.1};
   for (std::size_t k = 0; k < pair.size(); ++k) {
     float worst = 0.0f;
     for (std::size_t c = 0; c < 3; ++c)

@@ -54,6 +54,15 @@ TEST(ComparisonText, StaysWithinAHundredColumnsWhereNamesAreShort) {
   for (std::string line; std::getline(lines, line);) EXPECT_LE(letters_in(line), 100) << line;
 }
 
+TEST(ComparisonText, HasALineForEachChannelByItself) {
+  const std::string text = comparison_text(cracked_comparison(cracked_pair()));
+  EXPECT_TRUE(has(text,
+                  "\nchannel  largest      psnr\n"
+                  "N.X            0         -\n"
+                  "B              -  infinite\n"))
+      << text;
+}
+
 TEST(ComparisonText, OfEqualPicturesHasNoListOfWorstPixels) {
   const std::string text = comparison_text(equal_comparison("a.png"));
   EXPECT_EQ(text.rfind("EQUAL: ", 0), 0u);
@@ -68,7 +77,8 @@ TEST(FolderText, NamesWhatIsMissingBeforeThePairs) {
   folders.pairs.push_back({"hill.exr", cracked_comparison(cracked_pair())});
   const std::string text = folder_text(folders);
   EXPECT_EQ(text.rfind("NO VERDICT: out against ref", 0), 0u) << text;
-  EXPECT_LT(text.find("lost.png"), text.find("bad.png"));
+  EXPECT_TRUE(
+      has(text, "\nMISSING lost.png: missing in the candidate\nERROR bad.png: unreadable\n"));
   EXPECT_LT(text.find("bad.png"), text.find("FAILS"));
   EXPECT_LT(text.find("hill.exr"), text.find("a.png"));
   EXPECT_TRUE(has(text, "coverage.holes at most 0 px"));
