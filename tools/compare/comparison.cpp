@@ -86,8 +86,8 @@ void find_reasons(const Profile& profile, Comparison& result) {
   }
   if (profile.judges_numbers && result.numbers.unlike > 0)
     result.reasons.push_back(
-        fmt::format("{} numbers are not finite in one picture alone or not "
-                    "the same: {}",
+        fmt::format("numbers that are not finite in one picture alone, or not the same: {}; the "
+                    "first: {}",
                     result.numbers.unlike, result.numbers.first));
   for (const Judgement& each : result.judgements) {
     if (each.holds) continue;
