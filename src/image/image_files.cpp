@@ -4,11 +4,14 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <fstream>
 #include <memory>
 #include <string>
 
 #include "core/atomic_file.h"
 #include "core/check.h"
+#include "core/memory.h"
+#include "core/png_file.h"
 #include "image/plane_image.h"
 #include "image/srgb.h"
 
@@ -45,17 +48,58 @@ std::string encoded(const fs::path& path, const char* format, const OIIO::ImageS
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-std::unique_ptr<OIIO::ImageInput> open(const fs::path& path) {
+// An open image and, of a PNG, the bytes that it is read from.
+struct Input {
+  std::vector<unsigned char> bytes;
+  std::unique_ptr<OIIO::Filesystem::IOMemReader> memory;
+  std::unique_ptr<OIIO::ImageInput> image;  // goes first
+
+  OIIO::ImageInput* operator->() const { return image.get(); }
+  OIIO::ImageInput& operator*() const { return *image; }
+};
+
+bool is_png(const fs::path& path) {
+  unsigned char magic[4] = {};
+  return std::ifstream(path, std::ios::binary).read(reinterpret_cast<char*>(magic), 4) &&
+         magic[0] == 0x89 && magic[1] == 'P' && magic[2] == 'N' && magic[3] == 'G';
+}
+
+// What a PNG's pixels are made from, checked, so that libpng has nothing to complain of on standard
+// error.
+std::vector<unsigned char> png_parts(const fs::path& path) {
+  const PngFile png = check_png(path.string());
+  std::ifstream file(path, std::ios::binary);
+  std::vector<unsigned char> bytes;
+  for (const FilePart& part : png.parts) {
+    const std::size_t at = bytes.size();
+    bytes.resize(at + static_cast<std::size_t>(part.size));
+    file.seekg(static_cast<std::streamoff>(part.at));
+    if (!file.read(reinterpret_cast<char*>(&bytes[at]), static_cast<std::streamsize>(part.size)))
+      cannot("read", path, "it changed while it was read");
+  }
+  return bytes;
+}
+
+Input open(const fs::path& path) {
   OIIO::ImageSpec configuration;
   configuration["oiio:UnassociatedAlpha"] = 1;
-  auto input = OIIO::ImageInput::open(path.string(), &configuration);
-  if (!input) cannot("read", path, OIIO::geterror());
+  Input input;
+  if (is_png(path)) {
+    input.bytes = png_parts(path);
+    input.memory =
+        std::make_unique<OIIO::Filesystem::IOMemReader>(input.bytes.data(), input.bytes.size());
+  }
+  input.image = OIIO::ImageInput::open(path.string(), &configuration, input.memory.get());
+  if (!input.image) cannot("read", path, OIIO::geterror());
   const OIIO::ImageSpec& spec = input->spec();
   if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1) {
     cannot("read", path,
            fmt::format("{} x {} x {} pixels of {} channels are no picture", spec.width, spec.height,
                        spec.depth, spec.nchannels));
   }
+  const auto numbers = static_cast<std::int64_t>(spec.width) * spec.height * spec.nchannels;
+  constexpr std::int64_t kBytesNumber = 8;  // as stored, and as a float
+  require_memory(kBytesNumber * numbers, fmt::format("'{}'", path.string()));
   return input;
 }
 

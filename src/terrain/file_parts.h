@@ -8,11 +8,9 @@
 #include <string>
 #include <vector>
 
-namespace plumb::terrain {
+#include "core/png_file.h"
 
-struct FilePart {
-  std::uint64_t at = 0, size = 0;  // bytes
-};
+namespace plumb::terrain {
 
 /// What OpenImageIO reads in place of the file: its parts, one behind another, none in memory.
 class FileParts : public OIIO::Filesystem::IOProxy {

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "core/check.h"
+#include "core/png_file.h"
 #include "terrain/file_parts.h"
 #include "terrain/georeference.h"
 #include "terrain/memory_check.h"
-#include "terrain/png_file.h"
 #include "terrain/sample_decoding.h"
 
 namespace plumb::terrain {

@@ -164,8 +164,8 @@ Command compare_command() {
       "not (exit status 1)";
   command.example =
       "plumb render 'generate:alpine?size=129' --size 192x108 -o a.exr && plumb render "
-      "'generate:alpine?size=129' --size 192x108 --tolerance 0.5px -o b.exr && plumb compare a.exr "
-      "b.exr -o report";
+      "'generate:alpine?size=129' --size 192x108 --threads 1 -o b.exr && plumb compare a.exr b.exr "
+      "-o report";
   command.declare = [](Options& options) -> Action {
     const auto values = std::make_shared<CompareCommandOptions>();
     options.optional_argument(values->reference, "REFERENCE", "A picture, or a folder of them");

@@ -5,9 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "terrain/file_parts.h"
+namespace plumb {
 
-namespace plumb::terrain {
+/// Bytes of a file.
+struct FilePart {
+  std::uint64_t at = 0, size = 0;
+};
 
 /// A PNG file that has been read through once.
 struct PngFile {
@@ -25,4 +28,4 @@ struct PngFile {
 /// Throws InputError that names `file`.
 PngFile check_png(const std::string& file);
 
-}  // namespace plumb::terrain
+}  // namespace plumb

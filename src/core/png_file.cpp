@@ -1,4 +1,4 @@
-#include "terrain/png_file.h"
+#include "core/png_file.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 
 #include "core/check.h"
 
-namespace plumb::terrain {
+namespace plumb {
 namespace {
 
 using Bytes = std::vector<unsigned char>;
@@ -163,4 +163,4 @@ PngFile check_png(const std::string& file) {
   input_error("{}: the PNG file is cut off at byte {}", file, std::filesystem::file_size(file));
 }
 
-}  // namespace plumb::terrain
+}  // namespace plumb
