@@ -1,0 +1,344 @@
+#include "audit/depth_fit.h"
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "audit/depth_readings.h"
+#include "audit/plan_fit.h"
+#include "core/parallel.h"
+#include "core/screen_error.h"
+
+namespace plumb::audit {
+namespace {
+
+constexpr int kMostSamples = 8192;  // pixels looked at
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr glm::dvec3 kUp{0.0, 0.0, 1.0};
+// A frame of which less than this share shows terrain, or should, is too little to be refused.
+constexpr double kLeastShare = 1.0 / 16.0;
+constexpr double kFewPixels = 16.0;  // that show terrain; fewer explain nothing
+
+struct Pixel {
+  int x = 0, y = 0;
+};
+
+// How a reading's depths differ from the truth's; of pixels in which either shows terrain.
+struct Difference {
+  double middle = 0.0;
+  std::int64_t pixels = 0;
+};
+
+// A pixel's depth as it was read, none for what is no depth.
+using Ranges = std::vector<std::optional<DepthRange>>;
+
+bool shows(const std::optional<DepthRange>& range) { return !range || !range->is_sky(); }
+
+double difference(const std::optional<DepthRange>& range, double true_depth) {
+  if (!range) return 1.0;
+  if (range->low <= true_depth && true_depth <= range->high) return 0.0;
+  if (range->is_sky() || !(true_depth < kInfinity)) return 1.0;
+  const double depth = true_depth < range->low ? range->low : range->high;
+  return std::abs(depth - true_depth) / std::max(depth, true_depth);
+}
+
+Difference difference_of(const Ranges& ranges, const std::vector<double>& true_depths) {
+  std::vector<double> all;
+  for (std::size_t k = 0; k < ranges.size(); ++k) {
+    if (shows(ranges[k]) || true_depths[k] < kInfinity)
+      all.push_back(difference(ranges[k], true_depths[k]));
+  }
+  const auto count = static_cast<std::int64_t>(all.size());
+  return {middle_of(std::move(all)), count};
+}
+
+// What explains the frame best so far.
+struct Choice {
+  std::string text;
+  double middle = kInfinity;
+  Plainness plainness = Plainness::OneMistake;
+};
+
+class FrameFit {
+ public:
+  FrameFit(const HeightfieldTruth& truth, const HitImage& true_hits,
+           const image::DepthBuffer& buffer, const DepthMeaning& meaning, const Camera& camera,
+           const Tolerance& tolerance)
+      : truth_(truth),
+        buffer_(buffer),
+        stated_{meaning, camera},
+        local_(relative_to(camera, truth.field().world_origin_m())),
+        tolerance_(tolerance) {
+    const double all = static_cast<double>(camera.width_px) * camera.height_px;
+    const int step = std::max(1, static_cast<int>(std::ceil(std::sqrt(all / kMostSamples))));
+    for (int y = std::min(step, camera.height_px) / 2; y < camera.height_px; y += step) {
+      for (int x = std::min(step, camera.width_px) / 2; x < camera.width_px; x += step) {
+        pixels_.push_back({x, y});
+        true_depths_.push_back(true_hits.depth_m[true_hits.index(x, y)]);
+      }
+    }
+    ranges_ = ranges_of(stated_);
+    before_ = difference_of(ranges_, true_depths_);
+  }
+
+  std::optional<Misfit> misfit() {
+    if (before_.pixels == 0 || before_.middle == 0.0) return std::nullopt;
+    points_ = points_of(ranges_);
+    fit_ = plan_fit(truth_, points_);
+    const double within = share_within();
+    look_at_readings();
+    const bool most_is_within = within >= 0.5;
+    // What is fitted explains every small error; it is worth a word only where errors are large.
+    if (!most_is_within) look_at_fits();
+    if (!best_.text.empty()) {
+      return Misfit{fmt::format("the frame fits if {}: depths are then off by {:.2g} % in the "
+                                "middle, as stated by {:.2g} %",
+                                best_.text, 100.0 * best_.middle, 100.0 * before_.middle),
+                    !most_is_within};
+    }
+    if (most_is_within || !is_stranger()) return std::nullopt;
+    return Misfit{stranger_text(within), true};
+  }
+
+ private:
+  Ranges ranges_of(const DepthReading& reading) const {
+    Ranges ranges(pixels_.size());
+    for (std::size_t k = 0; k < pixels_.size(); ++k)
+      ranges[k] =
+          depth_range_at(buffer_, reading.meaning, reading.camera, pixels_[k].x, pixels_[k].y);
+    return ranges;
+  }
+
+  std::vector<double> depths_through(const Camera& camera) const {
+    if (camera == stated_.camera) return true_depths_;
+    std::vector<double> depths(pixels_.size());
+    parallel_for(static_cast<std::int64_t>(pixels_.size()), 256, [&](std::int64_t k) {
+      const Pixel& pixel = pixels_[static_cast<std::size_t>(k)];
+      const reference::RayHit hit =
+          truth_.caster.cast(truth_.caster.camera_ray(camera, pixel.x + 0.5, pixel.y + 0.5));
+      depths[static_cast<std::size_t>(k)] = hit ? hit.t : kInfinity;
+    });
+    return depths;
+  }
+
+  std::vector<glm::dvec3> points_of(const Ranges& ranges) const {
+    std::vector<glm::dvec3> points;
+    for (std::size_t k = 0; k < pixels_.size(); ++k) {
+      if (!ranges[k] || ranges[k]->is_sky()) continue;
+      points.push_back(local_.eye_m + ranges[k]->value * ray_direction(local_, pixels_[k].x + 0.5,
+                                                                       pixels_[k].y + 0.5));
+    }
+    return points;
+  }
+
+  // Of the pixels in which either shows terrain, those that keep to the tolerance.
+  double share_within() const {
+    std::int64_t kept = 0;
+    for (std::size_t k = 0; k < pixels_.size(); ++k) {
+      if (!shows(ranges_[k]) && !(true_depths_[k] < kInfinity)) continue;
+      const double off = difference(ranges_[k], true_depths_[k]);
+      kept += off == 0.0 || (off < 1.0 && is_within(k));
+    }
+    return static_cast<double>(kept) / static_cast<double>(before_.pixels);
+  }
+
+  bool is_within(std::size_t k) const {
+    const double depth = true_depths_[k] < ranges_[k]->low ? ranges_[k]->low : ranges_[k]->high;
+    const glm::dvec3 point =
+        local_.eye_m + depth * ray_direction(local_, pixels_[k].x + 0.5, pixels_[k].y + 0.5);
+    const double off = truth_.height_at(point.x, point.y) - point.z;
+    if (std::isnan(off)) return false;
+    return tolerance_.unit == Unit::Metre
+               ? std::abs(off) <= tolerance_.value
+               : screen_displacement_px(local_, point, kUp, off) <= tolerance_.value;
+  }
+
+  void offer(std::string text, double middle, Plainness plainness) {
+    const double better = plainness == Plainness::Fitted ? kFarBetterFitted : kFarBetter;
+    if (!(middle * better <= before_.middle)) return;
+    // Plainer ones are offered first.
+    const bool goes_before = plainness == best_.plainness || best_.text.empty()
+                                 ? middle < best_.middle
+                                 : middle * kFarBetter < best_.middle;
+    if (goes_before) best_ = {std::move(text), middle, plainness};
+  }
+
+  void try_reading(const DepthReading& reading) {
+    const Difference now = difference_of(ranges_of(reading), depths_through(reading.camera));
+    // A reading in which next to nothing is seen explains nothing.
+    if (static_cast<double>(now.pixels) <
+        std::max(kFewPixels, 0.25 * static_cast<double>(before_.pixels)))
+      return;
+    offer(reading.text, now.middle, reading.plainness);
+  }
+
+  void look_at_readings() {
+    const std::vector<DepthReading> readings = other_readings(stated_, truth_.field());
+    for (const Plainness plainness : {Plainness::OneMistake, Plainness::TwoMistakes}) {
+      for (const DepthReading& reading : readings) {
+        if (reading.plainness == plainness) try_reading(reading);
+      }
+    }
+  }
+
+  void look_at_fits() {
+    for (const DepthConvention convention : {DepthConvention::Linear, DepthConvention::Distance})
+      try_unit(convention);
+    try_planes(false);
+    try_planes(true);
+    try_heights();
+  }
+
+  // Another unit of view depth or distance.
+  void try_unit(DepthConvention convention) {
+    DepthReading reading = stated_;
+    reading.meaning.convention = convention;
+    reading.plainness = Plainness::Fitted;
+    const Ranges ranges = ranges_of(reading);
+    std::vector<double> factors;
+    for (std::size_t k = 0; k < pixels_.size(); ++k) {
+      if (ranges[k] && !ranges[k]->is_sky() && true_depths_[k] < kInfinity)
+        factors.push_back(true_depths_[k] / ranges[k]->value);
+    }
+    if (static_cast<double>(factors.size()) < kFewPixels) return;
+    const double unit = reading.meaning.metres_per_unit * middle_of(std::move(factors));
+    reading.meaning.metres_per_unit = unit;
+    const bool other = convention != stated_.meaning.convention;
+    reading.text =
+        fmt::format("{}its unit is {} (--depth-scale {:.6g})",
+                    other ? convention_text(convention) + ", and " : "", unit_text(unit), unit);
+    try_reading(reading);
+  }
+
+  // Window depth of other near and far planes: 1/w = a + b d, each pixel's relative error counting
+  // the same; then again of the better half.
+  void try_planes(bool other_rows) {
+    DepthReading reading = stated_;
+    reading.plainness = Plainness::Fitted;
+    if (other_rows) reading.meaning.rows_from_bottom = !reading.meaning.rows_from_bottom;
+    double a = 0.0, b = 0.0, keep_below = kInfinity;
+    bool is_ndc = false;
+    for (int round = 0; round < 3; ++round) {
+      std::array<double, 5> sums{};
+      std::vector<double> left;
+      for (std::size_t k = 0; k < pixels_.size(); ++k) {
+        const double
+            w = true_depths_[k],
+            d = buffer_.values[stored_index(buffer_, reading.meaning, pixels_[k].x, pixels_[k].y)];
+        if (!(w < kInfinity) || !(d >= -1.0 && d <= 1.0) || std::abs(d) == 1.0 || d == 0.0)
+          continue;
+        is_ndc = is_ndc || d < 0.0;
+        if (std::abs(1.0 - w * (a + b * d)) > keep_below) continue;
+        sums[0] += w * w;
+        sums[1] += w * w * d;
+        sums[2] += w * w * d * d;
+        sums[3] += w;
+        sums[4] += w * d;
+      }
+      const double all = sums[0] * sums[2] - sums[1] * sums[1];
+      if (!(all > 0.0)) return;
+      a = (sums[3] * sums[2] - sums[4] * sums[1]) / all;
+      b = (sums[0] * sums[4] - sums[1] * sums[3]) / all;
+      for (std::size_t k = 0; k < pixels_.size(); ++k) {
+        const double d =
+            buffer_.values[stored_index(buffer_, reading.meaning, pixels_[k].x, pixels_[k].y)];
+        if (true_depths_[k] < kInfinity && d >= -1.0 && d <= 1.0)
+          left.push_back(std::abs(1.0 - true_depths_[k] * (a + b * d)));
+      }
+      keep_below = middle_of(std::move(left));
+    }
+    const bool reversed = b > 0.0;
+    reading.meaning.convention = is_ndc     ? DepthConvention::Ndc
+                                 : reversed ? DepthConvention::ReverseZ
+                                            : DepthConvention::Window;
+    const double near_end = is_ndc     ? a - b
+                            : reversed ? a + b
+                                       : a,
+                 far_end = is_ndc || !reversed ? a + b : a;
+    if (!(near_end > 0.0) || (is_ndc && reversed)) return;
+    reading.camera.near_m = 1.0 / near_end;
+    // A far plane is known no better than the fit.
+    reading.camera.far_m = far_end > 1e-6 * near_end ? 1.0 / far_end : kInfinity;
+    if (!(reading.camera.far_m > reading.camera.near_m)) return;
+    const auto size = [](double metres) {
+      return metres < kInfinity ? fmt::format("{:.5g} m", metres) : std::string("infinity");
+    };
+    reading.text = fmt::format(
+        "{}{}, of a near plane at {} and a far one at {} (the camera says {} and {})",
+        other_rows ? "its rows run the other way, and " : "",
+        convention_text(reading.meaning.convention), size(reading.camera.near_m),
+        size(reading.camera.far_m), size(stated_.camera.near_m), size(stated_.camera.far_m));
+    try_reading(reading);
+  }
+
+  // Heights off by a constant or a factor: what is drawn still stands over the right places.
+  void try_heights() {
+    if (fit_.over_terrain < kFewestPoints || 2 * fit_.over_terrain < fit_.points ||
+        !(fit_.off_m > 0.0))
+      return;
+    const double shift = fit_.off_m, scale = before_.middle / shift;
+    const bool by_constant = fit_.spread_m * kFarBetterFitted <= shift;
+    if (by_constant) {
+      const double metres = fit_.shift_m;
+      offer(fmt::format("its heights are {:.6g} m too {}, or its camera's eye is as much too {}",
+                        std::abs(metres), metres > 0.0 ? "large" : "small",
+                        metres > 0.0 ? "high" : "low"),
+            fit_.spread_m * scale, Plainness::Fitted);
+    } else {
+      offer(fmt::format("its heights are the terrain's times {:.6g} plus {:.6g} m", fit_.factor,
+                        fit_.offset_m),
+            fit_.left_m * scale, Plainness::Fitted);
+    }
+  }
+
+  bool is_stranger() const {
+    const auto all = static_cast<double>(pixels_.size());
+    if (static_cast<double>(before_.pixels) < std::max(kFewPixels, kLeastShare * all)) return false;
+    if (fit_.over_terrain < kFewestPoints) return true;
+    return 10 * fit_.over_terrain < fit_.points || !may_be_of_terrain(truth_, points_, fit_);
+  }
+
+  std::string stranger_text(double within) const {
+    const double all = static_cast<double>(pixels_.size());
+    std::int64_t true_pixels = 0;
+    for (const double depth : true_depths_) true_pixels += depth < kInfinity;
+    return fmt::format(
+        "nothing that is known to go wrong explains the frame, so it is of another camera or "
+        "another terrain: it shows something in {:.3g} % of its pixels, the truth in {:.3g} %; "
+        "{:.2g} % of these keep to {}; {:.3g} % of its points lie over the terrain, {:.3g} m off "
+        "its height in the middle, where a level plane would be {:.3g} m off",
+        100.0 * static_cast<double>(fit_.points) / all,
+        100.0 * static_cast<double>(true_pixels) / all, 100.0 * within, to_text(tolerance_),
+        fit_.points > 0
+            ? 100.0 * static_cast<double>(fit_.over_terrain) / static_cast<double>(fit_.points)
+            : 0.0,
+        fit_.off_m, fit_.relief_m);
+  }
+
+  const HeightfieldTruth& truth_;
+  const image::DepthBuffer& buffer_;
+  DepthReading stated_;
+  Camera local_;
+  Tolerance tolerance_;
+  std::vector<Pixel> pixels_;
+  std::vector<double> true_depths_;
+  Ranges ranges_;
+  Difference before_;
+  std::vector<glm::dvec3> points_;
+  PlanFit fit_;
+  Choice best_;
+};
+
+}  // namespace
+
+std::optional<Misfit> misfit_of_depth(const HeightfieldTruth& truth, const HitImage& true_hits,
+                                      const image::DepthBuffer& buffer, const DepthMeaning& meaning,
+                                      const Camera& camera, const Tolerance& tolerance) {
+  return FrameFit(truth, true_hits, buffer, meaning, camera, tolerance).misfit();
+}
+
+}  // namespace plumb::audit

@@ -1,0 +1,32 @@
+// Every other way in which a depth buffer might have been meant. Not for users of the library.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "audit/depth_meaning.h"
+#include "core/camera.h"
+#include "terrain/heightfield.h"
+
+namespace plumb::audit {
+
+/// How plain an explanation is; plainer ones first.
+enum class Plainness { OneMistake, Fitted, TwoMistakes };
+
+struct DepthReading {
+  DepthMeaning meaning;
+  Camera camera;
+  std::string text = "";  // "its rows run from the bottom up (--depth-y up)"
+  Plainness plainness = Plainness::OneMistake;
+};
+
+/// All but the stated one, fitted ones apart.
+std::vector<DepthReading> other_readings(const DepthReading& stated,
+                                         const terrain::Heightfield& field);
+
+/// What a unit of so many metres is called: "feet", or its size.
+std::string unit_text(double metres_per_unit);
+
+std::string convention_text(DepthConvention convention);
+
+}  // namespace plumb::audit
