@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 
+#include "audit/coarse_truth.h"
 #include "audit/depth_readings.h"
 #include "audit/plan_fit.h"
 #include "core/parallel.h"
@@ -16,12 +17,13 @@
 namespace plumb::audit {
 namespace {
 
-constexpr int kMostSamples = 8192;  // pixels looked at
+constexpr int kMostSamples = 4096;  // pixels looked at
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr glm::dvec3 kUp{0.0, 0.0, 1.0};
 // A frame of which less than this share shows terrain, or should, is too little to be refused.
 constexpr double kLeastShare = 1.0 / 16.0;
-constexpr double kFewPixels = 16.0;  // that show terrain; fewer explain nothing
+constexpr double kFewPixels = 16.0;     // that show terrain; fewer explain nothing
+constexpr double kNoDifference = 1e-6;  // single precision leaves as much
 
 struct Pixel {
   int x = 0, y = 0;
@@ -29,7 +31,7 @@ struct Pixel {
 
 // How a reading's depths differ from the truth's; of pixels in which either shows terrain.
 struct Difference {
-  double middle = 0.0;
+  double mean = 0.0;
   std::int64_t pixels = 0;
 };
 
@@ -47,20 +49,22 @@ double difference(const std::optional<DepthRange>& range, double true_depth) {
 }
 
 Difference difference_of(const Ranges& ranges, const std::vector<double>& true_depths) {
-  std::vector<double> all;
+  Difference all;
   for (std::size_t k = 0; k < ranges.size(); ++k) {
-    if (shows(ranges[k]) || true_depths[k] < kInfinity)
-      all.push_back(difference(ranges[k], true_depths[k]));
+    if (!shows(ranges[k]) && !(true_depths[k] < kInfinity)) continue;
+    all.mean += difference(ranges[k], true_depths[k]);
+    ++all.pixels;
   }
-  const auto count = static_cast<std::int64_t>(all.size());
-  return {middle_of(std::move(all)), count};
+  if (all.pixels > 0) all.mean /= static_cast<double>(all.pixels);
+  return all;
 }
 
 // What explains the frame best so far.
 struct Choice {
   std::string text;
-  double middle = kInfinity;
+  double mean = kInfinity;
   Plainness plainness = Plainness::OneMistake;
+  bool is_slight = false;
 };
 
 class FrameFit {
@@ -70,7 +74,7 @@ class FrameFit {
            const Tolerance& tolerance)
       : truth_(truth),
         buffer_(buffer),
-        stated_{meaning, camera},
+        stated_{meaning, camera, camera},
         local_(relative_to(camera, truth.field().world_origin_m())),
         tolerance_(tolerance) {
     const double all = static_cast<double>(camera.width_px) * camera.height_px;
@@ -86,19 +90,21 @@ class FrameFit {
   }
 
   std::optional<Misfit> misfit() {
-    if (before_.pixels == 0 || before_.middle == 0.0) return std::nullopt;
+    if (before_.pixels == 0 || before_.mean == 0.0) return std::nullopt;
     points_ = points_of(ranges_);
     fit_ = plan_fit(truth_, points_);
     const double within = share_within();
+    coarsest_ = coarsest_misfit();
+    far_better_ = before_.mean > coarsest_ ? kFarBetter : kFarBetterThanCoarse;
     look_at_readings();
     const bool most_is_within = within >= 0.5;
     // What is fitted explains every small error; it is worth a word only where errors are large.
     if (!most_is_within) look_at_fits();
     if (!best_.text.empty()) {
-      return Misfit{fmt::format("the frame fits if {}: depths are then off by {:.2g} % in the "
-                                "middle, as stated by {:.2g} %",
-                                best_.text, 100.0 * best_.middle, 100.0 * before_.middle),
-                    !most_is_within};
+      return Misfit{fmt::format("the frame fits if {}: depths are then off by {:.2g} % in "
+                                "the mean, as stated by {:.2g} %",
+                                best_.text, 100.0 * best_.mean, 100.0 * before_.mean),
+                    !(best_.is_slight && most_is_within)};
     }
     if (most_is_within || !is_stranger()) return std::nullopt;
     return Misfit{stranger_text(within), true};
@@ -114,12 +120,15 @@ class FrameFit {
   }
 
   std::vector<double> depths_through(const Camera& camera) const {
-    if (camera == stated_.camera) return true_depths_;
+    return camera == stated_.camera ? true_depths_ : depths_of(truth_, camera);
+  }
+
+  std::vector<double> depths_of(const HeightfieldTruth& truth, const Camera& camera) const {
     std::vector<double> depths(pixels_.size());
     parallel_for(static_cast<std::int64_t>(pixels_.size()), 256, [&](std::int64_t k) {
       const Pixel& pixel = pixels_[static_cast<std::size_t>(k)];
       const reference::RayHit hit =
-          truth_.caster.cast(truth_.caster.camera_ray(camera, pixel.x + 0.5, pixel.y + 0.5));
+          truth.caster.cast(truth.caster.camera_ray(camera, pixel.x + 0.5, pixel.y + 0.5));
       depths[static_cast<std::size_t>(k)] = hit ? hit.t : kInfinity;
     });
     return depths;
@@ -157,23 +166,23 @@ class FrameFit {
                : screen_displacement_px(local_, point, kUp, off) <= tolerance_.value;
   }
 
-  void offer(std::string text, double middle, Plainness plainness) {
-    const double better = plainness == Plainness::Fitted ? kFarBetterFitted : kFarBetter;
-    if (!(middle * better <= before_.middle)) return;
+  void offer(const DepthReading& reading, double mean) {
+    if (!(mean * far_better_ <= before_.mean)) return;
     // Plainer ones are offered first.
-    const bool goes_before = plainness == best_.plainness || best_.text.empty()
-                                 ? middle < best_.middle
-                                 : middle * kFarBetter < best_.middle;
-    if (goes_before) best_ = {std::move(text), middle, plainness};
+    const bool goes_before = reading.plainness == best_.plainness || best_.text.empty()
+                                 ? mean < best_.mean
+                                 : mean * kFarBetter + kNoDifference < best_.mean;
+    if (goes_before) best_ = {reading.text, mean, reading.plainness, reading.is_slight};
   }
 
   void try_reading(const DepthReading& reading) {
-    const Difference now = difference_of(ranges_of(reading), depths_through(reading.camera));
+    if (best_.mean == 0.0) return;  // none is better
+    const Difference now = difference_of(ranges_of(reading), depths_through(reading.seen_by));
     // A reading in which next to nothing is seen explains nothing.
     if (static_cast<double>(now.pixels) <
-        std::max(kFewPixels, 0.25 * static_cast<double>(before_.pixels)))
+        std::max(kFewPixels, 0.5 * static_cast<double>(points_.size())))
       return;
-    offer(reading.text, now.middle, reading.plainness);
+    offer(reading, now.mean);
   }
 
   void look_at_readings() {
@@ -263,9 +272,10 @@ class FrameFit {
     reading.camera.near_m = 1.0 / near_end;
     // A far plane is known no better than the fit.
     reading.camera.far_m = far_end > 1e-6 * near_end ? 1.0 / far_end : kInfinity;
+    reading.seen_by = reading.camera;
     if (!(reading.camera.far_m > reading.camera.near_m)) return;
     const auto size = [](double metres) {
-      return metres < kInfinity ? fmt::format("{:.5g} m", metres) : std::string("infinity");
+      return metres < kInfinity ? fmt::format("{:.4g} m", metres) : std::string("infinity");
     };
     reading.text = fmt::format(
         "{}{}, of a near plane at {} and a far one at {} (the camera says {} and {})",
@@ -280,26 +290,52 @@ class FrameFit {
     if (fit_.over_terrain < kFewestPoints || 2 * fit_.over_terrain < fit_.points ||
         !(fit_.off_m > 0.0))
       return;
-    const double shift = fit_.off_m, scale = before_.middle / shift;
-    const bool by_constant = fit_.spread_m * kFarBetterFitted <= shift;
-    if (by_constant) {
-      const double metres = fit_.shift_m;
-      offer(fmt::format("its heights are {:.6g} m too {}, or its camera's eye is as much too {}",
-                        std::abs(metres), metres > 0.0 ? "large" : "small",
-                        metres > 0.0 ? "high" : "low"),
-            fit_.spread_m * scale, Plainness::Fitted);
-    } else {
-      offer(fmt::format("its heights are the terrain's times {:.6g} plus {:.6g} m", fit_.factor,
-                        fit_.offset_m),
-            fit_.left_m * scale, Plainness::Fitted);
-    }
+    DepthReading reading = stated_;
+    reading.plainness = Plainness::Fitted;
+    reading.seen_by.eye_m.z -= fit_.shift_m;
+    reading.text =
+        fmt::format("its heights are {:.4g} m too {}, or its camera's eye is as much too {}",
+                    std::abs(fit_.shift_m), fit_.shift_m > 0.0 ? "large" : "small",
+                    fit_.shift_m > 0.0 ? "high" : "low");
+    try_reading(reading);
+    if (!(fit_.factor > 0.0)) return;
+    // Heights f h + c through a camera are heights h through one whose heights are (z - c) / f.
+    reading.seen_by = stated_.camera;
+    reading.seen_by.eye_m.z = (reading.seen_by.eye_m.z - fit_.offset_m) / fit_.factor;
+    for (glm::dvec3* axis : {&reading.seen_by.right, &reading.seen_by.up, &reading.seen_by.forward})
+      axis->z /= fit_.factor;
+    reading.plainness = Plainness::FittedTwice;
+    reading.text = fmt::format("its heights are the terrain's times {:.6g} plus {:.6g} m",
+                               fit_.factor, fit_.offset_m);
+    try_reading(reading);
   }
 
+  // Farther from the truth than its own levels of detail through the same camera.
   bool is_stranger() const {
     const auto all = static_cast<double>(pixels_.size());
     if (static_cast<double>(before_.pixels) < std::max(kFewPixels, kLeastShare * all)) return false;
-    if (fit_.over_terrain < kFewestPoints) return true;
-    return 10 * fit_.over_terrain < fit_.points || !may_be_of_terrain(truth_, points_, fit_);
+    // What is missing may be holes: without it the rest must be off as well.
+    Difference drawn;
+    for (std::size_t k = 0; k < pixels_.size(); ++k) {
+      if (!shows(ranges_[k])) continue;
+      drawn.mean += difference(ranges_[k], true_depths_[k]);
+      ++drawn.pixels;
+    }
+    if (drawn.pixels == 0) return true;
+    return before_.mean > coarsest_ &&
+           drawn.mean > 0.5 * coarsest_ * static_cast<double>(drawn.pixels);
+  }
+
+  // The largest misfit of the terrain's own levels of detail through the stated camera.
+  double coarsest_misfit() const {
+    double coarsest = 0.0;
+    for (const auto& coarse : coarse_truths(truth_)) {
+      Ranges ranges;
+      for (const double depth : depths_of(coarse->truth, stated_.camera))
+        ranges.push_back(DepthRange{depth, depth, depth});
+      coarsest = std::max(coarsest, difference_of(ranges, true_depths_).mean);
+    }
+    return coarsest;
   }
 
   std::string stranger_text(double within) const {
@@ -309,14 +345,11 @@ class FrameFit {
     return fmt::format(
         "nothing that is known to go wrong explains the frame, so it is of another camera or "
         "another terrain: it shows something in {:.3g} % of its pixels, the truth in {:.3g} %; "
-        "{:.2g} % of these keep to {}; {:.3g} % of its points lie over the terrain, {:.3g} m off "
-        "its height in the middle, where a level plane would be {:.3g} m off",
+        "{:.2g} % of these keep to {}; depths are off by {:.2g} % in the mean, those of every {}th "
+        "sample of the terrain would be by {:.2g} %",
         100.0 * static_cast<double>(fit_.points) / all,
         100.0 * static_cast<double>(true_pixels) / all, 100.0 * within, to_text(tolerance_),
-        fit_.points > 0
-            ? 100.0 * static_cast<double>(fit_.over_terrain) / static_cast<double>(fit_.points)
-            : 0.0,
-        fit_.off_m, fit_.relief_m);
+        100.0 * before_.mean, kCoarsestStride, 100.0 * coarsest_);
   }
 
   const HeightfieldTruth& truth_;
@@ -331,6 +364,7 @@ class FrameFit {
   std::vector<glm::dvec3> points_;
   PlanFit fit_;
   Choice best_;
+  double coarsest_ = 0.0, far_better_ = kFarBetter;
 };
 
 }  // namespace

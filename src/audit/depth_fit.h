@@ -26,26 +26,32 @@ struct Misfit {
 /// one, a terrain mirrored, turned or half a sample off, an eye relative to the terrain's origin,
 /// an eye or heights off by a constant or a factor.
 ///
-/// A frame's *misfit* is the middle difference of depth, |a - b| / max(a, b), over the pixels of a
+/// A frame's *misfit* is the mean difference of depth, |a - b| / max(a, b), over the pixels of a
 /// grid in which either shows terrain; 0 where the truth lies within the number's rounding, 1 where
 /// one of the two shows nothing.
 ///
-///   (1) A reading is named if its misfit is at most 1/kFarBetter of the stated one's; one that has
-///       been fitted to the frame, at most 1/kFarBetterFitted. Of several the plainest is named,
-///       unless another is better by kFarBetter.
+///   (1) A reading is named if its misfit is at most 1/kFarBetter of the stated one's: it explains
+///       nearly all that is wrong, in nearly all places. If the stated one's is no larger than what
+///       a level of detail of the terrain would have (coarse_truths through the same camera), at
+///       most 1/kFarBetterThanCoarse. Of several the plainest is named, unless another is better by
+///       kFarBetter. Unit, planes, heights and eye are fitted, and tried only where most of the
+///       frame is beyond the tolerance.
 ///   (2) What a coarse level of detail does is explained by none of them: its errors change their
 ///       sign from place to place, so that moving, turning or scaling all of it makes as much worse
-///       as it makes better; and a constant or a factor, which is fitted, leaves more than a tenth.
-///   (3) If nothing is named, most of the frame is beyond the tolerance, and may_be_of_terrain
-///   denies
-///       its points, it is refused as a frame of another camera or terrain.
-///   (4) A frame of which most keeps to the tolerance is never refused; what was named is a hint.
+///       as it makes better. Nor are holes and noise, of which every reading has its share.
+///   (3) If nothing is named, most of the frame is beyond the tolerance, its misfit is larger
+///       than that of every level of detail, and that of what it does show (holes are no sign of
+///       another terrain) than half of it, it is refused as a frame of
+///       another camera or terrain.
+///   (4) A shift by half a pixel or half a sample is a hint, and refuses no frame, if most of it
+///   keeps
+///       to the tolerance. A wrong convention is refused however small its errors are: from above,
+///       a frame that is upside down may be off by less than a pixel anywhere.
 /// Nothing: the frame fits. true_hits is the truth through `camera`; sizes are equal.
 std::optional<Misfit> misfit_of_depth(const HeightfieldTruth& truth, const HitImage& true_hits,
                                       const image::DepthBuffer& buffer, const DepthMeaning& meaning,
                                       const Camera& camera, const Tolerance& tolerance);
 
-inline constexpr double kFarBetter = 4.0;
-inline constexpr double kFarBetterFitted = 10.0;
+inline constexpr double kFarBetter = 10.0, kFarBetterThanCoarse = 40.0;
 
 }  // namespace plumb::audit

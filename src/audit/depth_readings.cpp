@@ -44,7 +44,7 @@ void add_numbers(const DepthReading& stated, Readings& readings) {
 void add_camera(const DepthReading& stated, const Camera& camera, std::string text,
                 Readings& readings) {
   DepthReading r = stated;
-  r.camera = camera;
+  r.camera = r.seen_by = camera;
   r.text = std::move(text);
   readings.push_back(std::move(r));
 }
@@ -74,6 +74,7 @@ void add_lenses(const DepthReading& stated, Readings& readings) {
           stated, camera,
           fmt::format("it is shifted by ({:g}, {:g}) px, to the right and down", 0.5 * a, 0.5 * b),
           readings);
+      readings.back().is_slight = true;
     }
   }
 }
@@ -120,6 +121,7 @@ void add_places(const DepthReading& stated, const terrain::Heightfield& field, R
       add(by, fmt::format("the terrain that was drawn lies half a sample off, by ({:g}, {:g}) m: "
                           "samples stand at points, not in the middle of pixels",
                           0.0 - by.x, 0.0 - by.y));
+      readings.back().is_slight = true;
     }
   }
   const glm::dvec3 origin = field.world_origin_m();

@@ -11,13 +11,16 @@
 namespace plumb::audit {
 
 /// How plain an explanation is; plainer ones first.
-enum class Plainness { OneMistake, Fitted, TwoMistakes };
+enum class Plainness { OneMistake, TwoMistakes, Fitted, FittedTwice };
 
 struct DepthReading {
   DepthMeaning meaning;
-  Camera camera;
+  Camera camera;   // whose pixels the numbers are
+  Camera seen_by;  // that shows the truth as the frame was drawn: `camera`, unless the terrain
+                   // itself was another; its vectors need not be orthonormal
   std::string text = "";  // "its rows run from the bottom up (--depth-y up)"
   Plainness plainness = Plainness::OneMistake;
+  bool is_slight = false;  // a part of a pixel or of a sample: may be within the tolerance
 };
 
 /// All but the stated one, fitted ones apart.

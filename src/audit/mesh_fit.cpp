@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "audit/coarse_truth.h"
 #include "audit/depth_readings.h"
 #include "audit/plan_fit.h"
 #include "core/parallel.h"
@@ -108,7 +109,8 @@ class MeshFit {
   std::optional<Misfit> misfit() {
     const std::vector<glm::dvec3> points = placed(vertices_, {});
     const PlanFit stated = plan_fit(truth_, points);
-    if (stated.over_terrain >= kFewestPoints &&
+    // Wherever else it reaches, it is the terrain's where it stands over it.
+    if (stated.over_terrain >= kFewestPoints && area_over(points) > 0.0 &&
         stated.off_m <= kLikeTerrain * stated.relief_m + truth_.slack_m)
       return std::nullopt;
     before_ = fit_of(points).misfit;
@@ -121,7 +123,7 @@ class MeshFit {
     }
     if (!text_.empty()) {
       return Misfit{fmt::format("the mesh fits if {}: its vertices then stand {:.3g} m off the "
-                                "terrain in the middle{}",
+                                "terrain in the mean{}",
                                 text_, relief_m_ * best_, before_text(stated)),
                     !most_is_within};
     }
@@ -183,27 +185,38 @@ class MeshFit {
   }
 
   Fit fit_of(const std::vector<glm::dvec3>& points) const {
-    std::vector<double> off, height, all;
+    std::vector<double> height;
+    double off = 0.0, all = 0.0;
     for (const glm::dvec3& p : points) {
       const double h = height_near(p);
-      all.push_back(std::isnan(h) ? 1.0 : std::min(1.0, std::abs(p.z - h) / relief_m_));
+      all += std::isnan(h) ? 1.0 : std::min(1.0, std::abs(p.z - h) / relief_m_);
       if (std::isnan(h)) continue;
-      off.push_back(std::abs(p.z - h));
+      off += std::abs(p.z - h);
       height.push_back(h);
     }
     Fit fit;
-    fit.misfit = middle_of(std::move(all));
+    fit.misfit = all / static_cast<double>(points.size());
     const Box box = box_of(points);
     const double area = (box.high.x - box.low.x) * (box.high.y - box.low.y);
     const bool is_over =
-        static_cast<double>(off.size()) >= kLeastOver * static_cast<double>(points.size()) &&
+        static_cast<double>(height.size()) >= kLeastOver * static_cast<double>(points.size()) &&
         area >= kLeastArea * extent_.x * extent_.y;
     if (!is_over) return fit;
     const double middle = middle_of(height);
-    for (double& h : height) h = std::abs(h - middle);
+    double level = 0.0;
+    for (const double h : height) level += std::abs(h - middle);
     fit.is_likely =
-        middle_of(std::move(off)) <= kLikeTerrain * middle_of(std::move(height)) + truth_.slack_m;
+        off <= kLikeTerrain * level + truth_.slack_m * static_cast<double>(height.size());
     return fit;
+  }
+
+  // Of the box of those over the terrain: a mesh beside it may share a side.
+  double area_over(const std::vector<glm::dvec3>& points) const {
+    Box box;
+    for (const glm::dvec3& p : points) {
+      if (!std::isnan(height_near(p))) box.add(p);
+    }
+    return box.empty() ? 0.0 : (box.high.x - box.low.x) * (box.high.y - box.low.y);
   }
 
   // The vertices of a rim may stand beside it by the rounding of a unit or of single precision.
@@ -257,9 +270,10 @@ class MeshFit {
 
   void look_at_heights(const PlanFit& stated) {
     if (stated.over_terrain < kFewestPoints || 10 * stated.over_terrain < 9 * stated.points) return;
-    const bool by_constant = stated.spread_m * kFarBetterFitted <= stated.off_m;
+    const bool by_constant = stated.spread_m * kFarBetter <= stated.off_m &&
+                             stated.spread_m <= kFarBetter * stated.left_m + truth_.slack_m;
     const double left = by_constant ? stated.spread_m : stated.left_m;
-    if (!(left * kFarBetterFitted <= stated.off_m)) return;
+    if (!(left * kFarBetter <= stated.off_m)) return;
     best_ = left / relief_m_;
     text_ = by_constant
                 ? fmt::format("its heights are {} by {:.6g} m",
@@ -320,8 +334,16 @@ class MeshFit {
 
   bool is_of_terrain(const std::vector<glm::dvec3>& points, const PlanFit& stated) const {
     if (points.size() < static_cast<std::size_t>(kFewestPoints)) return true;
-    if (stated.over_terrain == 0) return false;
-    return may_be_of_terrain(truth_, points, stated);
+    if (stated.over_terrain < kFewestPoints) return false;
+    for (const auto& coarse : coarse_truths(truth_)) {
+      double off = 0.0;
+      for (const glm::dvec3& p : points) {
+        const double h = truth_.height_at(p.x, p.y), level = coarse->truth.height_at(p.x, p.y);
+        if (!std::isnan(h) && !std::isnan(level)) off += std::abs(level - h);
+      }
+      if (stated.off_m * static_cast<double>(stated.over_terrain) <= off) return true;
+    }
+    return false;
   }
 
   const HeightfieldTruth& truth_;

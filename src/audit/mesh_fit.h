@@ -18,7 +18,7 @@ namespace plumb::audit {
 /// twice, or that puts a corner or the middle of the mesh's box at the terrain's, two of these at
 /// once, and heights off by a constant or a factor.
 ///
-/// A placing's *misfit* is the middle of min(1, |z - h| / relief) over the vertices (at most a few
+/// A placing's *misfit* is the mean of min(1, |z - h| / relief) over the vertices (at most a few
 /// thousand, evenly chosen), relief being the terrain's; 1 for one beside the terrain.
 ///
 ///   (1) A placing is named if its misfit is at most 1/kFarBetter of the stated one's, nine tenths
@@ -31,8 +31,8 @@ namespace plumb::audit {
 ///       level of detail; nor is a mesh that reaches beyond the terrain, if it fits where it stands
 ///       over it.
 ///   (3) If nothing is named, most vertices are beyond the tolerance (through `camera`, where it is
-///       in pixels), and may_be_of_terrain denies them, the mesh is refused as that of another
-///       terrain or place.
+///       in pixels), and they are farther off than every level of detail (coarse_truths) is there,
+///       the mesh is refused as that of another terrain or place.
 /// mesh  as read_mesh(…, options) gives it. Nothing: the mesh fits.
 std::optional<Misfit> misfit_of_mesh(const HeightfieldTruth& truth, const TriangleMesh& mesh,
                                      const terrain::MeshReadOptions& options, const Camera& camera,

@@ -1,10 +1,8 @@
 #include "audit/plan_fit.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-
-#include "core/parallel.h"
+#include <limits>
 
 namespace plumb::audit {
 namespace {
@@ -14,20 +12,10 @@ struct Pairs {
   std::vector<double> z, h;
 };
 
-Pairs pairs_at(const HeightfieldTruth& truth, std::span<const glm::dvec3> points, double east_m,
-               double north_m) {
-  const terrain::Heightfield& field = truth.field();
-  const double width = field.cell_columns() * field.dx_m, depth = field.cell_rows() * field.dy_m;
-  const bool moved = east_m != 0.0 || north_m != 0.0;
-  const auto around = [](double value, double size) {
-    return size > 0.0 ? value - std::floor(value / size) * size : value;
-  };
+Pairs pairs_at(const HeightfieldTruth& truth, std::span<const glm::dvec3> points) {
   Pairs pairs;
   for (const glm::dvec3& p : points) {
-    if (std::isnan(truth.height_at(p.x, p.y))) continue;  // the same points at every place
-    const double h =
-        moved ? truth.height_at(around(p.x + east_m, width), around(p.y + north_m, depth))
-              : truth.height_at(p.x, p.y);
+    const double h = truth.height_at(p.x, p.y);
     if (std::isnan(h)) continue;
     pairs.z.push_back(p.z);
     pairs.h.push_back(h);
@@ -35,10 +23,10 @@ Pairs pairs_at(const HeightfieldTruth& truth, std::span<const glm::dvec3> points
   return pairs;
 }
 
-double spread_of(std::vector<double> values) {
-  const double middle = middle_of(values);
-  for (double& value : values) value = std::abs(value - middle);
-  return middle_of(std::move(values));
+double mean_size(const std::vector<double>& values, double from) {
+  double sum = 0.0;
+  for (const double value : values) sum += std::abs(value - from);
+  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
 }
 
 std::vector<double> differences(const Pairs& pairs) {
@@ -74,7 +62,8 @@ void fit_line(const Pairs& pairs, PlanFit& fit) {
     std::vector<double> left(pairs.z.size());
     for (std::size_t k = 0; k < left.size(); ++k)
       left[k] = std::abs(pairs.z[k] - fit.factor * pairs.h[k] - fit.offset_m);
-    keep_below = fit.left_m = middle_of(std::move(left));
+    fit.left_m = mean_size(left, 0.0);
+    keep_below = middle_of(std::move(left));
   }
 }
 
@@ -89,38 +78,16 @@ double middle_of(std::vector<double> values) {
 
 PlanFit plan_fit(const HeightfieldTruth& truth, std::span<const glm::dvec3> points) {
   PlanFit fit;
-  const Pairs pairs = pairs_at(truth, points, 0.0, 0.0);
+  const Pairs pairs = pairs_at(truth, points);
   fit.points = static_cast<std::int64_t>(points.size());
   fit.over_terrain = static_cast<std::int64_t>(pairs.z.size());
-  std::vector<double> off = differences(pairs);
+  const std::vector<double> off = differences(pairs);
   fit.shift_m = middle_of(off);
-  fit.spread_m = spread_of(off);
-  for (double& value : off) value = std::abs(value);
-  fit.off_m = middle_of(std::move(off));
-  fit.relief_m = spread_of(pairs.h);
+  fit.off_m = mean_size(off, 0.0);
+  fit.spread_m = mean_size(off, fit.shift_m);
+  fit.relief_m = mean_size(pairs.h, middle_of(pairs.h));
   fit_line(pairs, fit);
   return fit;
-}
-
-bool fits_best_here(const HeightfieldTruth& truth, std::span<const glm::dvec3> points) {
-  const terrain::Heightfield& field = truth.field();
-  std::array<double, kOtherPlaces + 1> spreads{};
-  parallel_for(kOtherPlaces + 1, 1, [&](std::int64_t k) {
-    const double east = static_cast<double>(k % kPlacesAcross) / kPlacesAcross,
-                 north = static_cast<double>(k / kPlacesAcross) / kPlacesAcross;
-    spreads[static_cast<std::size_t>(k)] =
-        spread_of(differences(pairs_at(truth, points, east * field.cell_columns() * field.dx_m,
-                                       north * field.cell_rows() * field.dy_m)));
-  });
-  return std::all_of(spreads.begin(), spreads.end(),
-                     [&](double spread) { return spreads[0] <= spread + truth.slack_m; });
-}
-
-bool may_be_of_terrain(const HeightfieldTruth& truth, std::span<const glm::dvec3> points,
-                       const PlanFit& fit) {
-  if (fit.over_terrain < kFewestPoints) return true;
-  return fit.spread_m <= kSurelyOfTerrain * fit.relief_m + truth.slack_m ||
-         fits_best_here(truth, points);
 }
 
 }  // namespace plumb::audit
