@@ -27,13 +27,25 @@ class Settler {
 
   double operator()(const DepthRange& range, double true_depth, const glm::dvec3& ray) const {
     if (range.low <= true_depth && true_depth <= range.high) return true_depth;
-    if (range.is_sky()) return kNoHit;
+    if (range.is_sky()) return far_or_sky(range.low, true_depth, ray);
     const double nearest = true_depth < range.low ? range.low : range.high;
     if (range.low == range.high || keeps_to_band(nearest * ray)) return nearest;
     return least(range, nearest, ray);
   }
 
  private:
+  // A number that stands for sky and for all that lies beyond `low`, the truth not among it: a
+  // surface there that keeps to the band, or else sky.
+  double far_or_sky(double low, double true_depth, const glm::dvec3& ray) const {
+    if (!(low < kNoHit) || !(true_depth < kNoHit)) return kNoHit;
+    const terrain::Heightfield& field = truth_.field();
+    const double across = std::sqrt(ray.x * ray.x + ray.y * ray.y);
+    if (!(across > 0.0)) return kNoHit;
+    const double extent = field.cell_columns() * field.dx_m + field.cell_rows() * field.dy_m;
+    const double depth = least({low, low, low + extent / across}, low, ray);
+    return keeps_to_band(depth * ray) ? depth : kNoHit;
+  }
+
   double vertical_m(const glm::dvec3& from_eye) const {
     const glm::dvec3 point = local_.eye_m + from_eye;
     const double height = truth_.height_at(point.x, point.y);

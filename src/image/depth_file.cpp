@@ -127,8 +127,10 @@ std::string to_text(const NumberFormat& format) {
 
 NumberRange numbers_held_as(double value, const NumberFormat& format) {
   if (format.step_bits > 0) {
-    const double half_step = 0.5 / static_cast<double>((std::uint64_t{1} << format.step_bits) - 1);
-    return {value - half_step, value + half_step};
+    const auto steps = static_cast<double>((std::uint64_t{1} << format.step_bits) - 1);
+    // The number was a float before it became a step, or became one after.
+    const double half = 0.5 / steps + std::ldexp(1.0, -25);
+    return {value - half, value + half};
   }
   if (value == 0.0) {
     const double half_least =
