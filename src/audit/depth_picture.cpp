@@ -34,8 +34,8 @@ class Settler {
   }
 
  private:
-  // A number that stands for sky and for all that lies beyond `low`, the truth not among it: a
-  // surface there that keeps to the band, or else sky.
+  // A number that stands for sky and for all that lies beyond `low`, the truth not among it: as
+  // the truth is, if a surface that lies beyond may keep to the band, or else sky.
   double far_or_sky(double low, double true_depth, const glm::dvec3& ray) const {
     if (!(low < kNoHit) || !(true_depth < kNoHit)) return kNoHit;
     const terrain::Heightfield& field = truth_.field();
@@ -43,7 +43,7 @@ class Settler {
     if (!(across > 0.0)) return kNoHit;
     const double extent = field.cell_columns() * field.dx_m + field.cell_rows() * field.dy_m;
     const double depth = least({low, low, low + extent / across}, low, ray);
-    return keeps_to_band(depth * ray) ? depth : kNoHit;
+    return keeps_to_band(depth * ray) ? true_depth : kNoHit;
   }
 
   double vertical_m(const glm::dvec3& from_eye) const {
@@ -68,23 +68,24 @@ class Settler {
     double best = first, vertical_before = vertical_m(range.low * ray);
     double least_px = vertical_px(first * ray, vertical_m(first * ray));
     double depth_before = range.low;
+    bool is_found = false;  // the first beyond the truth that keeps to the band
+    const auto settle_at = [&](double depth, double vertical, double error_px) {
+      if (is_found || !(error_px < least_px)) return;
+      least_px = error_px;
+      best = depth;
+      is_found =
+          first == range.low && (error_px <= band_.pixels || std::abs(vertical) <= band_.metres);
+    };
     const auto look_at = [&](double depth) {
       const double vertical = vertical_m(depth * ray);
-      const double error_px = vertical_px(depth * ray, vertical);
-      if (error_px < least_px) {
-        least_px = error_px;
-        best = depth;
-      }
       if (std::isfinite(vertical) && std::isfinite(vertical_before) &&
           vertical * vertical_before < 0.0) {
         const double share = vertical_before / (vertical_before - vertical);
         const double crossing = depth_before + share * (depth - depth_before);
-        const double crossing_px = vertical_px(crossing * ray, vertical_m(crossing * ray));
-        if (crossing_px < least_px) {
-          least_px = crossing_px;
-          best = crossing;
-        }
+        const double off = vertical_m(crossing * ray);
+        settle_at(crossing, off, vertical_px(crossing * ray, off));
       }
+      settle_at(depth, vertical, vertical_px(depth * ray, vertical));
       vertical_before = vertical;
       depth_before = depth;
     };

@@ -35,8 +35,8 @@ struct DepthPicture {
 ///       the range is nearer to the truth above or below it, that one. What is measured of the
 ///       picture is therefore a lower bound of what was drawn, off by no more than the rounding,
 ///       and a claim that was kept before rounding is kept after it.
-///   (2) A pixel that may be sky as well as the truth's point, or a point that keeps to the band,
-///   is that.
+///   (2) A pixel whose number stands for sky as well as for a point that keeps to the band is as
+///   the truth is. is that.
 /// true_hits is the truth through the same camera. Throws std::invalid_argument unless buffer,
 /// camera and true_hits are of one size.
 ///
