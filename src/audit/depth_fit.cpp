@@ -24,6 +24,8 @@ constexpr glm::dvec3 kUp{0.0, 0.0, 1.0};
 constexpr double kLeastShare = 1.0 / 16.0;
 constexpr double kFewPixels = 16.0;     // that show terrain; fewer explain nothing
 constexpr double kNoDifference = 1e-6;  // single precision leaves as much
+constexpr double kLeastFactor = 0.01;   // of heights: a level plane explains nothing
+constexpr double kPromised = 0.9;       // of a frame that keeps to the tolerance as it was meant
 
 struct Pixel {
   int x = 0, y = 0;
@@ -93,11 +95,10 @@ class FrameFit {
     if (before_.pixels == 0 || before_.mean == 0.0) return std::nullopt;
     points_ = points_of(ranges_);
     fit_ = plan_fit(truth_, points_);
-    const double within = share_within();
+    within_ = share_within(ranges_);
     coarsest_ = coarsest_misfit();
-    far_better_ = before_.mean > coarsest_ ? kFarBetter : kFarBetterThanCoarse;
     look_at_readings();
-    const bool most_is_within = within >= 0.5;
+    const bool most_is_within = within_ >= 0.5;
     // What is fitted explains every small error; it is worth a word only where errors are large.
     if (!most_is_within) look_at_fits();
     if (!best_.text.empty()) {
@@ -107,7 +108,7 @@ class FrameFit {
                     !(best_.is_slight && most_is_within)};
     }
     if (most_is_within || !is_stranger()) return std::nullopt;
-    return Misfit{stranger_text(within), true};
+    return Misfit{stranger_text(), true};
   }
 
  private:
@@ -145,18 +146,19 @@ class FrameFit {
   }
 
   // Of the pixels in which either shows terrain, those that keep to the tolerance.
-  double share_within() const {
-    std::int64_t kept = 0;
+  double share_within(const Ranges& ranges) const {
+    std::int64_t kept = 0, all = 0;
     for (std::size_t k = 0; k < pixels_.size(); ++k) {
-      if (!shows(ranges_[k]) && !(true_depths_[k] < kInfinity)) continue;
-      const double off = difference(ranges_[k], true_depths_[k]);
-      kept += off == 0.0 || (off < 1.0 && is_within(k));
+      if (!shows(ranges[k]) && !(true_depths_[k] < kInfinity)) continue;
+      ++all;
+      const double off = difference(ranges[k], true_depths_[k]);
+      kept += off == 0.0 || (off < 1.0 && is_within(*ranges[k], k));
     }
-    return static_cast<double>(kept) / static_cast<double>(before_.pixels);
+    return static_cast<double>(kept) / std::max<double>(1.0, static_cast<double>(all));
   }
 
-  bool is_within(std::size_t k) const {
-    const double depth = true_depths_[k] < ranges_[k]->low ? ranges_[k]->low : ranges_[k]->high;
+  bool is_within(const DepthRange& range, std::size_t k) const {
+    const double depth = true_depths_[k] < range.low ? range.low : range.high;
     const glm::dvec3 point =
         local_.eye_m + depth * ray_direction(local_, pixels_[k].x + 0.5, pixels_[k].y + 0.5);
     const double off = truth_.height_at(point.x, point.y) - point.z;
@@ -166,8 +168,21 @@ class FrameFit {
                : screen_displacement_px(local_, point, kUp, off) <= tolerance_.value;
   }
 
+  // How many times smaller a reading's misfit must be.
+  double needed_for(const DepthReading& reading) const {
+    const bool is_fitted =
+        reading.plainness == Plainness::Fitted || reading.plainness == Plainness::FittedTwice;
+    if (before_.mean <= coarsest_ && (reading.is_slight || is_fitted)) return kFarBetterThanCoarse;
+    const bool of_numbers =
+        !is_fitted && reading.camera == stated_.camera && reading.seen_by == stated_.camera;
+    if (!of_numbers) return kFarBetter;
+    const bool is_what_was_promised =
+        within_ < 0.5 && share_within(ranges_of(reading)) >= kPromised;
+    return is_what_was_promised ? 1.0 : kFarBetterNumbers;
+  }
+
   void offer(const DepthReading& reading, double mean) {
-    if (!(mean * far_better_ <= before_.mean)) return;
+    if (!(mean * needed_for(reading) <= before_.mean)) return;
     // Plainer ones are offered first.
     const bool goes_before = reading.plainness == best_.plainness || best_.text.empty()
                                  ? mean < best_.mean
@@ -179,9 +194,11 @@ class FrameFit {
     if (best_.mean == 0.0) return;  // none is better
     const Difference now = difference_of(ranges_of(reading), depths_through(reading.seen_by));
     // A reading in which next to nothing is seen explains nothing.
-    if (static_cast<double>(now.pixels) <
-        std::max(kFewPixels, 0.5 * static_cast<double>(points_.size())))
-      return;
+    const auto true_pixels = std::count_if(true_depths_.begin(), true_depths_.end(),
+                                           [](double depth) { return depth < kInfinity; });
+    const auto seen =
+        std::min(static_cast<double>(points_.size()), static_cast<double>(true_pixels));
+    if (static_cast<double>(now.pixels) < std::max(kFewPixels, 0.5 * seen)) return;
     offer(reading, now.mean);
   }
 
@@ -298,7 +315,7 @@ class FrameFit {
                     std::abs(fit_.shift_m), fit_.shift_m > 0.0 ? "large" : "small",
                     fit_.shift_m > 0.0 ? "high" : "low");
     try_reading(reading);
-    if (!(fit_.factor > 0.0)) return;
+    if (!(fit_.factor > kLeastFactor && fit_.factor < 1.0 / kLeastFactor)) return;
     // Heights f h + c through a camera are heights h through one whose heights are (z - c) / f.
     reading.seen_by = stated_.camera;
     reading.seen_by.eye_m.z = (reading.seen_by.eye_m.z - fit_.offset_m) / fit_.factor;
@@ -314,16 +331,18 @@ class FrameFit {
   bool is_stranger() const {
     const auto all = static_cast<double>(pixels_.size());
     if (static_cast<double>(before_.pixels) < std::max(kFewPixels, kLeastShare * all)) return false;
-    // What is missing may be holes: without it the rest must be off as well.
+    return points_.empty() || drawn_difference(ranges_) > coarsest_;
+  }
+
+  // Of the pixels that show something: what is missing may be holes.
+  double drawn_difference(const Ranges& ranges) const {
     Difference drawn;
     for (std::size_t k = 0; k < pixels_.size(); ++k) {
-      if (!shows(ranges_[k])) continue;
-      drawn.mean += difference(ranges_[k], true_depths_[k]);
+      if (!shows(ranges[k])) continue;
+      drawn.mean += difference(ranges[k], true_depths_[k]);
       ++drawn.pixels;
     }
-    if (drawn.pixels == 0) return true;
-    return before_.mean > coarsest_ &&
-           drawn.mean > 0.5 * coarsest_ * static_cast<double>(drawn.pixels);
+    return drawn.pixels > 0 ? drawn.mean / static_cast<double>(drawn.pixels) : 0.0;
   }
 
   // The largest misfit of the terrain's own levels of detail through the stated camera.
@@ -333,12 +352,12 @@ class FrameFit {
       Ranges ranges;
       for (const double depth : depths_of(coarse->truth, stated_.camera))
         ranges.push_back(DepthRange{depth, depth, depth});
-      coarsest = std::max(coarsest, difference_of(ranges, true_depths_).mean);
+      coarsest = std::max(coarsest, drawn_difference(ranges));
     }
     return coarsest;
   }
 
-  std::string stranger_text(double within) const {
+  std::string stranger_text() const {
     const double all = static_cast<double>(pixels_.size());
     std::int64_t true_pixels = 0;
     for (const double depth : true_depths_) true_pixels += depth < kInfinity;
@@ -348,7 +367,7 @@ class FrameFit {
         "{:.2g} % of these keep to {}; depths are off by {:.2g} % in the mean, those of every {}th "
         "sample of the terrain would be by {:.2g} %",
         100.0 * static_cast<double>(fit_.points) / all,
-        100.0 * static_cast<double>(true_pixels) / all, 100.0 * within, to_text(tolerance_),
+        100.0 * static_cast<double>(true_pixels) / all, 100.0 * within_, to_text(tolerance_),
         100.0 * before_.mean, kCoarsestStride, 100.0 * coarsest_);
   }
 
@@ -364,7 +383,7 @@ class FrameFit {
   std::vector<glm::dvec3> points_;
   PlanFit fit_;
   Choice best_;
-  double coarsest_ = 0.0, far_better_ = kFarBetter;
+  double coarsest_ = 0.0, within_ = 0.0;
 };
 
 }  // namespace

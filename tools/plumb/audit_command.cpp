@@ -261,7 +261,9 @@ Command audit_command() {
       "not, 2 if nothing could be measured)";
   command.example =
       "plumb audit 'generate:alpine?size=513' --method restricted-quadtree --tolerance 1px "
-      "--camera oblique -o report";
+      "--camera oblique -o report\n"
+      "  plumb render 'generate:alpine?size=513' --size 640x360 -o depth.exr && plumb audit "
+      "'generate:alpine?size=513' --size 640x360 --depth depth.exr --tolerance 1px";
   command.declare = [](Options& options) -> Action {
     const auto values = std::make_shared<AuditCommandOptions>();
     values->terrain.diagonal = "";
