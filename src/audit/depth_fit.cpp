@@ -4,9 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
 
 #include "audit/coarse_truth.h"
 #include "audit/depth_readings.h"
@@ -240,66 +238,17 @@ class FrameFit {
     try_reading(reading);
   }
 
-  // Window depth of other near and far planes: 1/w = a + b d, each pixel's relative error counting
-  // the same; then again of the better half.
+  // Window depth of other near and far planes.
   void try_planes(bool other_rows) {
     DepthReading reading = stated_;
-    reading.plainness = Plainness::Fitted;
     if (other_rows) reading.meaning.rows_from_bottom = !reading.meaning.rows_from_bottom;
-    double a = 0.0, b = 0.0, keep_below = kInfinity;
-    bool is_ndc = false;
-    for (int round = 0; round < 3; ++round) {
-      std::array<double, 5> sums{};
-      std::vector<double> left;
-      for (std::size_t k = 0; k < pixels_.size(); ++k) {
-        const double
-            w = true_depths_[k],
-            d = buffer_.values[stored_index(buffer_, reading.meaning, pixels_[k].x, pixels_[k].y)];
-        if (!(w < kInfinity) || !(d >= -1.0 && d <= 1.0) || std::abs(d) == 1.0 || d == 0.0)
-          continue;
-        is_ndc = is_ndc || d < 0.0;
-        if (std::abs(1.0 - w * (a + b * d)) > keep_below) continue;
-        sums[0] += w * w;
-        sums[1] += w * w * d;
-        sums[2] += w * w * d * d;
-        sums[3] += w;
-        sums[4] += w * d;
-      }
-      const double all = sums[0] * sums[2] - sums[1] * sums[1];
-      if (!(all > 0.0)) return;
-      a = (sums[3] * sums[2] - sums[4] * sums[1]) / all;
-      b = (sums[0] * sums[4] - sums[1] * sums[3]) / all;
-      for (std::size_t k = 0; k < pixels_.size(); ++k) {
-        const double d =
-            buffer_.values[stored_index(buffer_, reading.meaning, pixels_[k].x, pixels_[k].y)];
-        if (true_depths_[k] < kInfinity && d >= -1.0 && d <= 1.0)
-          left.push_back(std::abs(1.0 - true_depths_[k] * (a + b * d)));
-      }
-      keep_below = middle_of(std::move(left));
+    std::vector<StoredDepth> stored;
+    for (std::size_t k = 0; k < pixels_.size(); ++k) {
+      const float number =
+          buffer_.values[stored_index(buffer_, reading.meaning, pixels_[k].x, pixels_[k].y)];
+      if (true_depths_[k] < kInfinity) stored.push_back({number, true_depths_[k]});
     }
-    const bool reversed = b > 0.0;
-    reading.meaning.convention = is_ndc     ? DepthConvention::Ndc
-                                 : reversed ? DepthConvention::ReverseZ
-                                            : DepthConvention::Window;
-    const double near_end = is_ndc     ? a - b
-                            : reversed ? a + b
-                                       : a,
-                 far_end = is_ndc || !reversed ? a + b : a;
-    if (!(near_end > 0.0) || (is_ndc && reversed)) return;
-    reading.camera.near_m = 1.0 / near_end;
-    // A far plane is known no better than the fit.
-    reading.camera.far_m = far_end > 1e-6 * near_end ? 1.0 / far_end : kInfinity;
-    reading.seen_by = reading.camera;
-    if (!(reading.camera.far_m > reading.camera.near_m)) return;
-    const auto size = [](double metres) {
-      return metres < kInfinity ? fmt::format("{:.4g} m", metres) : std::string("infinity");
-    };
-    reading.text = fmt::format(
-        "{}{}, of a near plane at {} and a far one at {} (the camera says {} and {})",
-        other_rows ? "its rows run the other way, and " : "",
-        convention_text(reading.meaning.convention), size(reading.camera.near_m),
-        size(reading.camera.far_m), size(stated_.camera.near_m), size(stated_.camera.far_m));
-    try_reading(reading);
+    if (const auto fitted = reading_of_planes(reading, stored)) try_reading(*fitted);
   }
 
   // Heights off by a constant or a factor: what is drawn still stands over the right places.

@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
+
+#include "audit/plan_fit.h"
 
 namespace plumb::audit {
 namespace {
@@ -170,6 +174,80 @@ std::string unit_text(double metres_per_unit) {
     if (std::abs(metres_per_unit / size - 1.0) < 1e-3) return name;
   }
   return fmt::format("{:.6g} m", metres_per_unit);
+}
+
+namespace {
+
+struct InverseLine {
+  double a = 0.0, b = 0.0;  // 1/w = a + b d
+};
+
+std::optional<InverseLine> fitted_line(const std::vector<StoredDepth>& stored) {
+  InverseLine line;
+  double keep_below = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < 3; ++round) {
+    std::array<double, 5> sums{};
+    for (const auto& [d, w] : stored) {
+      if (std::abs(1.0 - w * (line.a + line.b * d)) > keep_below) continue;
+      sums[0] += w * w;
+      sums[1] += w * w * d;
+      sums[2] += w * w * d * d;
+      sums[3] += w;
+      sums[4] += w * d;
+    }
+    const double all = sums[0] * sums[2] - sums[1] * sums[1];
+    if (!(all > 0.0)) return std::nullopt;
+    line = {(sums[3] * sums[2] - sums[4] * sums[1]) / all,
+            (sums[0] * sums[4] - sums[1] * sums[3]) / all};
+    std::vector<double> left;
+    for (const auto& [d, w] : stored) left.push_back(std::abs(1.0 - w * (line.a + line.b * d)));
+    keep_below = middle_of(std::move(left));
+  }
+  return line;
+}
+
+std::string size_text(double metres) {
+  return std::isinf(metres) ? "infinity" : fmt::format("{:.4g} m", metres);
+}
+
+}  // namespace
+
+std::optional<DepthReading> reading_of_planes(const DepthReading& stated,
+                                              const std::vector<StoredDepth>& stored) {
+  std::vector<StoredDepth> inner;  // neither cleared nor at an end
+  for (const StoredDepth& s : stored) {
+    if (s.number > -1.0 && s.number < 1.0 && s.number != 0.0) inner.push_back(s);
+  }
+  const auto line = fitted_line(inner);
+  if (!line) return std::nullopt;
+  const bool is_ndc =
+      std::any_of(inner.begin(), inner.end(), [](const StoredDepth& s) { return s.number < 0.0; });
+  const bool reversed = line->b > 0.0;
+  const double near_end = is_ndc     ? line->a - line->b
+                          : reversed ? line->a + line->b
+                                     : line->a,
+               far_end = is_ndc || !reversed ? line->a + line->b : line->a;
+  if (!(near_end > 0.0) || (is_ndc && reversed)) return std::nullopt;
+  DepthReading reading = stated;
+  reading.plainness = Plainness::Fitted;
+  reading.meaning.convention = is_ndc     ? DepthConvention::Ndc
+                               : reversed ? DepthConvention::ReverseZ
+                                          : DepthConvention::Window;
+  Camera& camera = reading.camera;
+  camera.near_m = 1.0 / near_end;
+  // A far plane is known no better than the fit.
+  camera.far_m =
+      far_end > 1e-6 * near_end ? 1.0 / far_end : std::numeric_limits<double>::infinity();
+  if (!(camera.far_m > camera.near_m)) return std::nullopt;
+  reading.seen_by = camera;
+  reading.text = fmt::format(
+      "its rows run from the {}, and {}, of a near plane at {} and a far one at {} (the camera "
+      "says "
+      "{} and {})",
+      stated.meaning.rows_from_bottom ? "bottom up" : "top down",
+      convention_text(reading.meaning.convention), size_text(camera.near_m),
+      size_text(camera.far_m), size_text(stated.camera.near_m), size_text(stated.camera.far_m));
+  return reading;
 }
 
 std::vector<DepthReading> other_readings(const DepthReading& stated,

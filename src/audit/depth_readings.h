@@ -1,6 +1,7 @@
 // Every other way in which a depth buffer might have been meant. Not for users of the library.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,17 @@ struct DepthReading {
 /// All but the stated one, fitted ones apart.
 std::vector<DepthReading> other_readings(const DepthReading& stated,
                                          const terrain::Heightfield& field);
+
+/// A stored number and the view depth that the truth has there.
+struct StoredDepth {
+  double number, depth_m;
+};
+
+/// Window depth of near and far planes that explain the numbers best; nothing if none do. `stated`
+/// says which way rows run. 1/w = a + b d is fitted by least squares, each pixel's relative error
+/// counting the same, then again twice of the better half.
+std::optional<DepthReading> reading_of_planes(const DepthReading& stated,
+                                              const std::vector<StoredDepth>& stored);
 
 /// What a unit of so many metres is called: "feet", or its size.
 std::string unit_text(double metres_per_unit);

@@ -188,10 +188,6 @@ TEST_F(DepthAudit, RefusesFilesAndOptionsInOneLine) {
   std::vector<std::string> first = path;
   first.insert(first.end(), {"--frame", "1", "--tolerance", "2px"});
   EXPECT_EQ(run_plumb(first).status, 0);
-  EXPECT_EQ(
-      audit(file, {"--camera", folder_.file("camera.toml"), "--frame", "1", "--tolerance", "2px"})
-          .status,
-      0);
   expect_one_line(audit(file, {"--limit", "sample-error=1m"}), "only of a mesh");
   for (const char* option : {"--depth-convention=d3d", "--depth-y=up", "--depth-sky=0",
                              "--depth-bits=16", "--depth-raw=big", "--depth-channel=Z"})

@@ -234,7 +234,8 @@ int run_audit(const AuditCommandOptions& options, const Invocation& invocation) 
   std::vector<Camera> frames;  // a camera that is none is known before anything is drawn
   for (const audit::CameraDescription& frame : described) {
     frames.push_back(audit::place_camera(frame, field).camera);
-    audit::require_frame_memory(frames.back(), audit::kAuditBytes);
+    audit::require_frame_memory(
+        frames.back(), options.stranger.is_depth() ? audit::kDepthAuditBytes : audit::kAuditBytes);
   }
   const terrain::Diagonal diagonal = options.terrain.diagonal.empty()
                                          ? request.method->truth
