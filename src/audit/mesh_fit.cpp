@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -11,6 +10,7 @@
 
 #include "audit/coarse_truth.h"
 #include "audit/depth_readings.h"
+#include "audit/mesh_placing.h"
 #include "audit/plan_fit.h"
 #include "core/parallel.h"
 #include "core/screen_error.h"
@@ -25,48 +25,6 @@ constexpr double kLeastOver = 0.9;           // of the vertices
 constexpr double kLikeTerrain = 0.25;        // of what a level plane is off by
 constexpr glm::dvec3 kUp{0.0, 0.0, 1.0};
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// The file's axes that become east, north and up, with their signs.
-struct Axes {
-  std::array<int, 3> axis{0, 1, 2};
-  std::array<double, 3> sign{1.0, 1.0, 1.0};
-
-  glm::dvec3 turned(const glm::dvec3& v) const {
-    return {sign[0] * v[axis[0]], sign[1] * v[axis[1]], sign[2] * v[axis[2]]};
-  }
-  bool is_same() const {
-    return axis == std::array<int, 3>{0, 1, 2} && sign == std::array<double, 3>{1.0, 1.0, 1.0};
-  }
-  bool is(int x, int y, int z, double sx, double sy, double sz) const {
-    return axis == std::array<int, 3>{x, y, z} && sign == std::array<double, 3>{sx, sy, sz};
-  }
-};
-
-std::vector<Axes> all_axes() {
-  std::vector<Axes> all;
-  std::array<int, 3> order{0, 1, 2};
-  do {
-    for (int signs = 0; signs < 8; ++signs)
-      all.push_back(
-          {order, {signs & 1 ? -1.0 : 1.0, signs & 2 ? -1.0 : 1.0, signs & 4 ? -1.0 : 1.0}});
-  } while (std::next_permutation(order.begin(), order.end()));
-  return all;
-}
-
-enum class Place { AsGiven, InPlace, OwnOrigin, NoOrigin, Corner, Middle };
-
-// How a mesh may have been meant.
-struct Placing {
-  Axes axes;
-  double scale = 1.0;
-  Place place = Place::AsGiven;
-
-  // Turning a mesh about its own box is one change.
-  int changes() const {
-    return (axes.is_same() ? 0 : 1) + (scale == 1.0 ? 0 : 1) +
-           (place == Place::AsGiven || place == Place::InPlace ? 0 : 1);
-  }
-};
 
 Box box_of(const std::vector<glm::dvec3>& points) {
   Box box;
@@ -227,25 +185,9 @@ class MeshFit {
     return truth_.height_at(x, y);
   }
 
-  std::vector<double> scales() const {
-    std::vector<double> all{1.0,    0.3048, 1.0 / 0.3048, 0.01, 100.0, 0.001,
-                            1000.0, 0.9144, 0.1,          10.0, 2.0,   0.5};
-    const double width = file_box_.high.x - file_box_.low.x;
-    if (width > 0.0) all.push_back(extent_.x / width);
-    return all;
-  }
-
   void look_at_placings() {
-    std::vector<Placing> placings;
-    for (const Axes& axes : all_axes()) {
-      for (const double scale : scales()) {
-        for (const Place place : {Place::AsGiven, Place::InPlace, Place::OwnOrigin, Place::NoOrigin,
-                                  Place::Corner, Place::Middle}) {
-          const Placing placing{axes, scale, place};
-          if (placing.changes() >= 1 && placing.changes() <= 2) placings.push_back(placing);
-        }
-      }
-    }
+    const double width = file_box_.high.x - file_box_.low.x;
+    const std::vector<Placing> placings = other_placings(width > 0.0 ? extent_.x / width : 1.0);
     std::vector<Fit> fits(placings.size());
     parallel_for(static_cast<std::int64_t>(placings.size()), 16, [&](std::int64_t k) {
       const auto at = static_cast<std::size_t>(k);
@@ -284,29 +226,9 @@ class MeshFit {
                       stated.factor, stated.offset_m);
   }
 
-  std::string axes_text(const Axes& axes) const {
-    if (axes.is(0, 2, 1, 1.0, -1.0, 1.0) && options_.up_axis == terrain::UpAxis::Z)
-      return "y is its upward axis (--up y)";
-    if (axes.is(0, 2, 1, 1.0, 1.0, -1.0) && options_.up_axis == terrain::UpAxis::Y)
-      return "z is its upward axis (--up z)";
-    if (axes.is(0, 1, 2, 1.0, -1.0, 1.0)) return "north and south are exchanged";
-    if (axes.is(0, 1, 2, -1.0, 1.0, 1.0)) return "east and west are exchanged";
-    if (axes.is(0, 1, 2, -1.0, -1.0, 1.0)) return "it is turned by half a turn";
-    if (axes.is(0, 1, 2, 1.0, 1.0, -1.0)) return "up and down are exchanged";
-    if (axes.is(1, 0, 2, 1.0, 1.0, 1.0)) return "its x and y are exchanged";
-    if (axes.is(0, 2, 1, 1.0, 1.0, 1.0)) return "y is its upward axis and z points north";
-    std::string text = "as it is read, east, north and up are its ";
-    for (std::size_t k = 0; k < 3; ++k) {
-      text += k == 0 ? "" : ", ";
-      text += axes.sign[k] < 0.0 ? "-" : "";
-      text += static_cast<char>('x' + axes.axis[k]);
-    }
-    return text;
-  }
-
   std::string text_of(const Placing& placing) const {
     std::vector<std::string> parts;
-    if (!placing.axes.is_same()) parts.push_back(axes_text(placing.axes));
+    if (!(placing.axes == Axes{})) parts.push_back(axes_text(placing.axes, options_.up_axis));
     if (placing.scale != 1.0) {
       const double unit = placing.scale * options_.metres_per_unit;
       parts.push_back(fmt::format("its unit is {} (--scale {:.10g})", unit_text(unit), unit));
