@@ -117,11 +117,16 @@ AuditResult audit_picture(const HeightfieldTruth& truth, HitImage true_hits,
     measure_mesh(result, truth, surface, camera, options);
     measure_picture(result, truth, result.drawn, camera, options);
   } else {
-    result.set_aside =
-        rays_below_ground(truth, result.true_hits, result.drawn, camera, options.band);
-    result.pixels_set_aside =
-        std::count(result.set_aside.begin(), result.set_aside.end(), std::uint8_t{1});
-    measure_picture(result, truth, without(result.drawn, result.set_aside), camera, options);
+    result.of_solid = surface.is_solid;
+    if (surface.is_solid) {
+      result.set_aside =
+          rays_below_ground(truth, result.true_hits, result.drawn, camera, options.band);
+      result.pixels_set_aside =
+          std::count(result.set_aside.begin(), result.set_aside.end(), std::uint8_t{1});
+      measure_picture(result, truth, without(result.drawn, result.set_aside), camera, options);
+    } else {
+      measure_picture(result, truth, result.drawn, camera, options);
+    }
   }
   result.coverage = coverage_of(truth, result.true_hits, result.drawn, camera, surface,
                                 options.band, result.set_aside);

@@ -103,7 +103,8 @@ struct AuditResult {
   /// False for a surface without a mesh: only `pixels`, `vertical`, `depth`, `nearest.forward`,
   /// `coverage` and where the points are seen are measured of it.
   bool of_mesh = true;
-  /// Pixels that are not judged, 1 each (set_aside.h), and how many; empty for a mesh.
+  bool of_solid = false;  // without a mesh: see DrawnSurface::is_solid
+  /// Pixels that are not judged, 1 each (set_aside.h), and how many; empty but for a solid.
   std::vector<std::uint8_t> set_aside;
   std::int64_t pixels_set_aside = 0;
   SampleErrors samples;

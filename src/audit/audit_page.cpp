@@ -101,6 +101,11 @@ std::vector<report::KeyValue> shape_entries(const AuditResult& result) {
                    c.either, c.band_px)},
       {"holes, overshoots, see-through pixels",
        fmt::format("{}, {}, {}", c.holes, c.overshoots, c.see_through)}};
+  if (!result.of_mesh && !result.of_solid) {
+    entries.push_back(
+        {"not told", "samples, topology and normals: a depth buffer has no triangles"});
+    return entries;
+  }
   if (!result.of_mesh) {
     entries.push_back({"pixels set aside: their rays get below the ground without crossing it",
                        std::to_string(result.pixels_set_aside)});

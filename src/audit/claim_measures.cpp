@@ -72,7 +72,7 @@ double ClaimMeasures::slack_px(double pixels_per_metre, double measured) const {
 ClaimResult ClaimMeasures::of_claim(const Claim& claim, std::string label) const {
   if (!result_.of_mesh && claim.measure != Measure::PixelError &&
       claim.measure != Measure::Coverage)
-    input_error("{}: this method draws no mesh, of which it could be measured", label);
+    input_error("{}: only of a mesh could it be measured, and here is none", label);
   ClaimResult r;
   r.claim = claim;
   r.label = std::move(label);
@@ -237,7 +237,7 @@ ClaimResult ClaimMeasures::of_limit(const Limit& limit) const {
   } else if (limit.measure == "coverage") {
     r = of_claim({Measure::Coverage, limit.bound, Unit::Count}, limit.measure);
   } else if (!result_.of_mesh && limit.measure != "nearest-error") {
-    input_error("{}: this method draws no mesh, of which it could be measured", limit.measure);
+    input_error("{}: only of a mesh could it be measured, and here is none", limit.measure);
   } else {
     r.label = limit.measure;
     of_limit_alone(r);

@@ -11,6 +11,8 @@ namespace plumb::audit {
 /// the maps of an audit with two pictures' hits (150 bytes at the peak, measured on frames of 0.06
 /// and 8.3 million pixels of three methods: 145 to 148).
 inline constexpr std::int64_t kHitBytes = 38, kPictureBytes = 186, kAuditBytes = 150;
+/// That of a depth buffer has the buffer, roundings and two more copies of its picture.
+inline constexpr std::int64_t kDepthAuditBytes = kAuditBytes + 2 * kHitBytes + 14;
 
 /// Throws InputError, naming the size, what is needed and what is there, unless `bytes_per_pixel`
 /// for every pixel of the camera fit into memory.

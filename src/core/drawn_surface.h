@@ -49,6 +49,9 @@ struct Patch {
 struct DrawnSurface {
   std::shared_ptr<const TriangleMesh> mesh;
   SurfacePainter painter;  // where `mesh` is null
+  /// Where `mesh` is null: the ground is drawn as a solid, as slices do, so that a ray that gets
+  /// below it without crossing it sees it at once. False: a sheet, as the truth is.
+  bool is_solid = true;
   /// Of `mesh`, where one mesh serves many cameras; null where each has its own.
   std::shared_ptr<const MeshRuns> runs;
   std::vector<std::uint8_t>

@@ -289,8 +289,11 @@ PlaneImage read_planes(const fs::path& path) {
   image.encoding = linear ? Encoding::Linear : Encoding::Srgb;
   image.bits = linear ? 0 : static_cast<int>(8 * spec.format.size());
   image.metadata = get_metadata(spec);
-  for (const std::string& name : spec.channelnames)
-    image.planes.push_back({name, std::vector<float>(image.size())});
+  for (int c = 0; c < spec.nchannels; ++c) {
+    const bool half = spec.channelformat(c) == OIIO::TypeDesc::HALF;
+    image.planes.push_back(
+        {spec.channel_name(c), std::vector<float>(image.size()), half ? 11 : 24});
+  }
   const auto stride = static_cast<std::size_t>(spec.nchannels);
   const auto put = [&](const auto& pixels, double scale) {
     for (std::size_t k = 0; k < image.size(); ++k) {

@@ -19,6 +19,7 @@ const char* name_of(Encoding encoding);  // "sRGB", "linear"
 struct Plane {
   std::string name;  // as the file has it: "R", "Z", "N.X", ...
   std::vector<float> values;
+  int float_digits = 24;  // binary digits that a float file keeps: 11 of half, 24 of single
 };
 
 /// Numbers of integer files are scaled to 0..1, those of float files are as they are, NaN and

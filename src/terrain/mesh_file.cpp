@@ -45,12 +45,13 @@ double largest_coordinate_m(const PolygonSoup& soup) {
   return largest;
 }
 
-void note_rounding(double largest_m, const char* who, MeshFile& file) {
-  file.largest_rounding_m = half_ulp_of_single(largest_m);
+void note_rounding(double largest, const char* who, double metres_per_unit, MeshFile& file) {
+  const double largest_m = largest * metres_per_unit;
+  file.largest_rounding_m = half_ulp_of_single(largest) * metres_per_unit;
   if (file.largest_rounding_m <= kUnnoticedRounding_m) return;
   const std::string line = fmt::format(
       "{} single precision: coordinates of up to {:.10g} m may be rounded by up to {:.3g} m; write "
-      "them relative to an origin (--mesh-origin), or in double as PLY or OBJ",
+      "them relative to an origin (--offset), or in double as PLY or OBJ",
       who, largest_m, file.largest_rounding_m);
   file.assumptions.push_back(line);
   file.warnings.push_back(line);
@@ -60,7 +61,7 @@ void take_own_origin(const std::string& text, const std::string& name, MeshFile&
   const auto origin_m = ply_origin_m(text);
   if (!origin_m)
     input_error(
-        "{}: expected three finite numbers after 'comment origin_m' (or --mesh-origin in its "
+        "{}: expected three finite numbers after 'comment origin_m' (or --offset in its "
         "place)",
         name);
   file.mesh.origin_m = *origin_m;
@@ -69,8 +70,8 @@ void take_own_origin(const std::string& text, const std::string& name, MeshFile&
                   origin_m->y, origin_m->z));
 }
 
-PolygonSoup read_polygons(const std::string& path, const std::string& name, MeshFile& file,
-                          std::optional<std::string>& own_origin) {
+PolygonSoup read_polygons(const std::string& path, const std::string& name, double metres_per_unit,
+                          MeshFile& file, std::optional<std::string>& own_origin) {
   const Format format = format_of(path);
   ForwardFile input(path, name);
   if (format == Format::Obj) return read_obj(input);
@@ -78,26 +79,33 @@ PolygonSoup read_polygons(const std::string& path, const std::string& name, Mesh
     PlyPolygons polygons = read_ply(input);
     own_origin = std::move(polygons.origin_m);
     if (polygons.single_precision)
-      note_rounding(largest_coordinate_m(polygons.soup), "the mesh's file keeps", file);
+      note_rounding(largest_coordinate_m(polygons.soup), "the mesh's file keeps", metres_per_unit,
+                    file);
     return std::move(polygons.soup);
   }
   AssimpPolygons polygons = read_with_assimp(path, name);
-  note_rounding(polygons.largest_rounded_m, "a mesh of this format is read in", file);
+  note_rounding(polygons.largest_rounded_m, "a mesh of this format is read in", metres_per_unit,
+                file);
   return std::move(polygons.soup);
 }
 
 }  // namespace
 
 MeshFile read_mesh(const std::string& path, const MeshReadOptions& options) {
+  require(options.metres_per_unit > 0.0 && std::isfinite(options.metres_per_unit),
+          "a mesh's unit must be positive, got {}", options.metres_per_unit);
   const std::string name = fmt::format("mesh '{}'", path);
   MeshFile file;
   std::optional<std::string> own_origin;
-  PolygonSoup soup = read_polygons(path, name, file, own_origin);
+  PolygonSoup soup = read_polygons(path, name, options.metres_per_unit, file, own_origin);
   TriangleMesh mesh = joined_mesh(std::move(soup), name);
   if (mesh.triangles.empty()) input_error("{}: expected triangles, there are none", name);
   file.mesh = std::move(mesh);
   if (options.up_axis == UpAxis::Y) {
     for (glm::dvec3& p : file.mesh.vertices_m) p = {p.x, 0.0 - p.z, p.y};
+  }
+  if (options.metres_per_unit != 1.0) {
+    for (glm::dvec3& p : file.mesh.vertices_m) p *= options.metres_per_unit;
   }
   if (options.origin_m) {
     file.mesh.origin_m = *options.origin_m;

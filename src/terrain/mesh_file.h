@@ -19,6 +19,7 @@ struct MeshReadOptions {
   /// Nothing: what a PLY file's "comment origin_m X Y Z" says, else zero.
   std::optional<glm::dvec3> origin_m;
   UpAxis up_axis = UpAxis::Z;
+  double metres_per_unit = 1.0;  // of the file's coordinates, not of an origin that it states; > 0
 };
 
 /// A mesh, and what was taken for granted when it was read.
@@ -35,13 +36,13 @@ struct MeshFile {
 inline constexpr double kUnnoticedRounding_m = 1e-3;
 
 /// Reads PLY, OBJ, STL, glTF and GLB: all triangle meshes of the file, its nodes' transforms
-/// applied, polygons cut into triangles, vertices at one place joined. Coordinates are metres.
+/// applied, polygons cut into triangles, vertices at one place joined.
 ///
 ///   (1) PLY (known by its first line or its name) and OBJ (by its name) are read in double.
 ///   (2) Assimp reads the rest, and keeps single precision: beyond kUnnoticedRounding_m that is an
 ///       assumption and a warning, as it is for a PLY file whose coordinates are floats.
 /// Throws InputError with path, line or byte, and cause for anything that is not a mesh of finite
-/// vertices.
+/// vertices, and std::invalid_argument for a unit that is not positive.
 MeshFile read_mesh(const std::string& path, const MeshReadOptions& options = {});
 
 /// One sentence with both boxes if mesh and terrain, seen from above, have less than a hundredth of

@@ -57,7 +57,7 @@ std::optional<std::string> misplacement(const TriangleMesh& mesh, const Heightfi
           : "do not overlap";
   return fmt::format(
       "seen from above, mesh and terrain {}: the mesh lies at {}, the terrain at {} m; look at the "
-      "mesh's place (--mesh-origin), its upward axis (--mesh-up) and its unit (metres)",
+      "mesh's place (--offset), its upward axis (--up) and its unit (--scale)",
       overlap, a.text(), b.text());
 }
 

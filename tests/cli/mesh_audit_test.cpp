@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -94,7 +96,7 @@ TEST(MeshAudit, SaysThatItTookTheFilesOwnOrigin) {
   std::ifstream page(folder.file("report/report.html"));
   const std::string html{std::istreambuf_iterator<char>(page), {}};
   EXPECT_NE(html.find("origin is the one that its file states"), std::string::npos);
-  const json given = audit_json(kUtm, {"--mesh", mesh, "--mesh-origin", "500000,4500000,1"}, 0);
+  const json given = audit_json(kUtm, {"--mesh", mesh, "--offset", "500000,4500000,1"}, 0);
   EXPECT_TRUE(given.at("method").at("assumptions").empty());
   EXPECT_EQ(given.at("errors").at("sample_m").at("max"), 1.0);  // it wins, and is a metre too high
 }
@@ -107,26 +109,70 @@ TEST(MeshAudit, FindsNoErrorInAnExactMeshFarFromZero) {
     expect_exact(audit_json(terrain, {"--mesh", mesh}, 0));
   }
   write_full_obj(kUtm, mesh, 500000.0, 4500000.0);
-  expect_exact(audit_json(kUtm, {"--mesh", mesh, "--mesh-origin", "500000,4500000,0"}, 0));
+  expect_exact(audit_json(kUtm, {"--mesh", mesh, "--offset", "500000,4500000,0"}, 0));
 }
 
-TEST(MeshAudit, SaysThatTheMeshLiesElsewhere) {
+void expect_refused(const CommandResult& result, const std::string& words) {
+  EXPECT_EQ(result.status, 2) << result.out;
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+  EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
+}
+
+TEST(MeshAudit, NamesWhereTheMeshLiesBeforeAnyError) {
   const TemporaryFolder folder;
   const std::string mesh = folder.file("a.obj");
   write_full_obj(kUtm, mesh, 500000.0, 4500000.0);
-  const CommandResult result = audit(kUtm, {"--mesh", mesh, "--json", "-o", folder.file("report")});
-  EXPECT_EQ(result.status, 1);
-  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-  for (const char* words :
-       {"plumb: warning: ", "do not overlap", "x 0 to 1920, y 0 to 1920",
-        "x 500000 to 501920, y 4500000 to 4501920", "--mesh-origin", "--mesh-up"})
-    EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
-  const json hints = json::parse(result.out).at("method").at("hints");
-  ASSERT_EQ(hints.size(), 1u);
-  EXPECT_EQ(result.err, "plumb: warning: " + hints[0].get<std::string>() + "\n");
-  std::ifstream page(folder.file("report/report.html"));
-  const std::string html{std::istreambuf_iterator<char>(page), {}};
-  EXPECT_NE(html.find("mesh and terrain do not overlap"), std::string::npos);
+  expect_refused(audit(kUtm, {"--mesh", mesh, "--json", "-o", folder.file("report")}),
+                 "(--offset 500000,4500000,0)");
+  EXPECT_FALSE(std::filesystem::exists(folder.file("report")));
+  expect_exact(audit_json(kUtm, {"--mesh", mesh, "--offset", "500000,4500000,0"}, 0));
+  expect_refused(audit("generate:alpine?size=65&seed=4", {"--mesh", mesh}),
+                 "another terrain or place");
+  std::ofstream(mesh) << "v 0 0 300\nv 10 0 300\nv 0 10 300\nf 1 2 3\n";
+  expect_refused(audit(kUtm, {"--mesh", mesh}), "do not overlap");
+}
+
+// Feet with y upwards, as many an exporter writes them.
+TEST(MeshAudit, TakesTheUpwardAxisAndTheUnit) {
+  const TemporaryFolder folder;
+  const std::string mesh = folder.file("a.obj"), turned = folder.file("b.obj");
+  const std::string terrain = "generate:alpine?size=65&seed=3";
+  write_full_obj(terrain, mesh, 0.0, 0.0);
+  std::ifstream in(mesh);
+  std::ofstream out(turned);
+  for (std::string line; std::getline(in, line);) {
+    double x = 0.0, y = 0.0, z = 0.0;
+    if (std::sscanf(line.c_str(), "v %lf %lf %lf", &x, &y, &z) == 3)
+      line = fmt::format("v {} {} {}", x / 0.25, z / 0.25, -y / 0.25);
+    out << line << "\n";
+  }
+  out.close();
+  expect_exact(audit_json(terrain, {"--mesh", turned, "--up", "y", "--scale", "0.25"}, 0));
+  expect_refused(audit(terrain, {"--mesh", turned, "--scale", "0.25"}), "(--up y)");
+  expect_refused(audit(terrain, {"--mesh", turned, "--up", "y"}), "(--scale 0.25)");
+  expect_refused(audit(terrain, {"--mesh", turned}), "(--up y), and its unit is");
+}
+
+// A metre too high, everywhere.
+TEST(MeshAudit, ClaimsTheTolerance) {
+  const TemporaryFolder folder;
+  const std::string mesh = folder.file("a.obj");
+  const std::string terrain = "generate:alpine?size=65&seed=3";
+  write_full_obj(terrain, mesh, 0.0, 0.0);
+  const std::vector<std::string> high{"--mesh", mesh, "--offset", "0,0,1", "--tolerance"};
+  const auto with = [&](const char* tolerance) {
+    std::vector<std::string> options = high;
+    options.push_back(tolerance);
+    return options;
+  };
+  const json metres = audit_json(terrain, with("1m"), 0);
+  EXPECT_EQ(metres.at("claims").at(0).at("measure"), "sample-error");
+  EXPECT_EQ(metres.at("claims").at(0).at("measured"), 1.0);
+  audit_json(terrain, with("0.99m"), 1);
+  const json pixels = audit_json(terrain, with("1px"), 0);
+  EXPECT_EQ(pixels.at("claims").at(0).at("measure"), "pixel-error");
+  audit_json(terrain, with("0.01px"), 1);
 }
 
 // Floats near 4,500,000 lie half a metre apart.

@@ -17,7 +17,7 @@
 #include "core/stopwatch.h"
 #include "method_options.h"
 #include "progress.h"
-#include "terrain/mesh_file.h"
+#include "stranger.h"
 #include "terrain/terrain_source.h"
 #include "text_table.h"
 
@@ -30,7 +30,7 @@ struct AuditCommandOptions {
   TerrainOptions terrain;
   CameraOptions camera;
   MethodOptions method;
-  std::string mesh_file, mesh_origin, mesh_up = "z";
+  StrangerOptions stranger;
   std::vector<std::string> limits;
   std::string output;
   bool without_nearest = false;
@@ -38,38 +38,10 @@ struct AuditCommandOptions {
   int threads = 0;
 };
 
-// What is drawn, and how long it took: a method's surface, or a mesh from a file.
-struct Subject {
-  DrawnSurface surface;
+// What is drawn, and how long it took: a method's surface, or a stranger's.
+struct Subject : Stranger {
   double prepare_s = 0.0, draw_s = 0.0;
-  std::vector<std::string> assumptions = {}, hints = {};  // for the report
 };
-
-Subject read_subject(const AuditCommandOptions& options, const terrain::Heightfield& field,
-                     Progress& progress) {
-  progress.step("reading the mesh");
-  terrain::MeshReadOptions read;
-  read.up_axis = options.mesh_up == "y" ? terrain::UpAxis::Y : terrain::UpAxis::Z;
-  if (!options.mesh_origin.empty())
-    read.origin_m = parse_point(options.mesh_origin, "--mesh-origin");
-  terrain::MeshFile file = terrain::read_mesh(options.mesh_file, read);
-  Subject subject;
-  if (auto hint = terrain::misplacement(file.mesh, field)) subject.hints.push_back(*hint);
-  terrain::move_to_origin_of(field, file.mesh);
-  progress.finish();
-  for (const std::string& line : file.warnings) warn(line);
-  for (const std::string& line : subject.hints) warn(line);
-  subject.assumptions = std::move(file.assumptions);
-  auto mesh = std::make_shared<TriangleMesh>(std::move(file.mesh));
-  subject.surface.cost.vertices = static_cast<std::int64_t>(mesh->vertices_m.size());
-  subject.surface.cost.triangles = static_cast<std::int64_t>(mesh->triangles.size());
-  subject.surface.mesh = std::move(mesh);
-  subject.surface.notes.push_back(
-      "A mesh from a file claims nothing but to have no hole; --limit has more judged. Its "
-      "silhouettes may move by --tolerance; where they move farther, terrain seen past them counts "
-      "as see-through.");
-  return subject;
-}
 
 audit::AuditOptions audit_options(const AuditCommandOptions& options,
                                   const MethodRequest& request) {
@@ -90,15 +62,20 @@ struct Run {
   const terrain::Heightfield& field;
   const audit::HeightfieldTruth& truth;
   Progress& progress;
-  std::unique_ptr<audit::PreparedMethod> prepared;  // null where a mesh came from a file
-  Subject drawn;                                    // with the file's mesh
+  std::unique_ptr<audit::PreparedMethod> prepared;  // null for a stranger's output
+  Subject drawn;                                    // with a stranger's mesh
 };
 
-void prepare(Run& run) {
-  if (!run.options.mesh_file.empty()) {
-    run.drawn = read_subject(run.options, run.field, run.progress);
-    return;
+void prepare(Run& run, const Camera& first) {
+  const StrangerOptions& stranger = run.options.stranger;
+  if (stranger.is_mesh()) {
+    run.progress.step("reading the mesh");
+    static_cast<Stranger&>(run.drawn) =
+        read_stranger_mesh(stranger, run.truth, first, run.request.tolerance);
+    run.progress.finish();
+    for (const std::string& line : run.drawn.warnings) warn(line);
   }
+  if (stranger.is_given()) return;
   run.progress.step("preparing the method");
   Stopwatch watch;
   run.prepared = audit::prepare_method(*run.request.method, run.field, run.request.choice,
@@ -112,6 +89,22 @@ struct Audited {
   std::vector<std::string> files;
 };
 
+// The truth is cast first, and what does not fit it is not audited.
+AuditResult audit_depth(Run& run, const Camera& camera) {
+  Stopwatch watch;
+  DepthFrame frame = read_depth_frame(run.options.stranger, run.truth, camera, run.measures.band,
+                                      run.request.tolerance);
+  static_cast<Stranger&>(run.drawn) = std::move(frame.stranger);
+  if (!run.drawn.warnings.empty()) run.progress.finish();
+  for (const std::string& line : run.drawn.warnings) warn(line);
+  const double truth_s = watch.lap_s();
+  AuditResult result =
+      audit::audit_picture(run.truth, std::move(frame.true_hits), run.drawn.surface,
+                           std::move(frame.drawn), camera, run.measures);
+  result.times.truth_s = truth_s;
+  return result;
+}
+
 Audited audit_frame(Run& run, const Camera& camera, const std::string& frame) {
   const std::string where = frame.empty() ? "" : frame + ": ";
   if (run.prepared) {
@@ -121,17 +114,20 @@ Audited audit_frame(Run& run, const Camera& camera, const std::string& frame) {
     run.drawn.draw_s = watch.lap_s();
   }
   run.progress.step(where + "casting the truth and measuring");
+  const bool is_depth = run.options.stranger.is_depth();
   Audited audited{
-      audit::audit_surface(run.truth, run.drawn.surface, camera, run.measures),
+      is_depth ? audit_depth(run, camera)
+               : audit::audit_surface(run.truth, run.drawn.surface, camera, run.measures),
       {&run.field, run.truth.diagonal(), run.request.method->name, run.request.variant,
        run.request.choice.parameters, run.request.tolerance, camera, run.options.camera.camera,
        run.invocation.command_line(), run.drawn.assumptions, run.drawn.hints},
       {}};
   audited.result.times.prepare_s = run.drawn.prepare_s;
   audited.result.times.draw_s = run.drawn.draw_s;
-  if (!run.options.mesh_file.empty()) {
-    audited.subject.method = "mesh " + run.options.mesh_file;
+  if (run.options.stranger.is_given()) {
+    audited.subject.method = run.options.stranger.name();
     audited.subject.variant.clear();
+    audited.subject.parameters = {run.drawn.parameters.begin(), run.drawn.parameters.end()};
   }
   return audited;
 }
@@ -224,24 +220,30 @@ int run_audit(const AuditCommandOptions& options, const Invocation& invocation) 
   const ThreadLimit limit(options.threads);
   if (options.output == "-")
     input_error("-o -: audit writes several files, expected a folder (--json prints one object)");
+  require_consistent(options.stranger, invocation.arguments);
   const MethodRequest request = method_request(options.method);
   const audit::AuditOptions measures = audit_options(options, request);
   const std::vector<audit::CameraDescription> described = camera_frames(options.camera);
+  if (options.stranger.is_depth() && described.size() > 1)
+    input_error(
+        "--depth: a depth buffer is one frame, '{}' has {} cameras (choose one with --frame)",
+        options.camera.camera, described.size());
   Progress progress;
   progress.step("reading the terrain");
   const terrain::Heightfield field = load(options.terrain);
   std::vector<Camera> frames;  // a camera that is none is known before anything is drawn
   for (const audit::CameraDescription& frame : described) {
     frames.push_back(audit::place_camera(frame, field).camera);
-    audit::require_frame_memory(frames.back(), audit::kAuditBytes);
+    audit::require_frame_memory(
+        frames.back(), options.stranger.is_depth() ? audit::kDepthAuditBytes : audit::kAuditBytes);
   }
   const terrain::Diagonal diagonal = options.terrain.diagonal.empty()
                                          ? request.method->truth
                                          : terrain::parse_diagonal(options.terrain.diagonal);
   const audit::HeightfieldTruth truth(field, diagonal);
   Run run{options, invocation, request, measures, field, truth, progress, nullptr, {}};
-  prepare(run);
-  if (options.mesh_file.empty() && diagonal != request.method->truth) {
+  prepare(run, frames.front());
+  if (!options.stranger.is_given() && diagonal != request.method->truth) {
     run.drawn.assumptions.push_back(fmt::format(
         "the claims of {} are judged on a surface whose diagonals are {}; what it "
         "approximates has {} ones",
@@ -260,22 +262,16 @@ Command audit_command() {
       "not, 2 if nothing could be measured)";
   command.example =
       "plumb audit 'generate:alpine?size=513' --method restricted-quadtree --tolerance 1px "
-      "--camera oblique -o report";
+      "--camera oblique -o report\n"
+      "  plumb render 'generate:alpine?size=513' --size 640x360 -o depth.exr && plumb audit "
+      "'generate:alpine?size=513' --size 640x360 --depth depth.exr --tolerance 1px";
   command.declare = [](Options& options) -> Action {
     const auto values = std::make_shared<AuditCommandOptions>();
     values->terrain.diagonal = "";
     add_terrain_options(options, values->terrain);
     add_method_options(options, values->method);
     add_camera_options(options, values->camera);
-    options.group("A mesh in place of a method");
-    options.text(values->mesh_file, "--mesh", "FILE",
-                 "Audit the triangles of this PLY, OBJ (both in double), STL, glTF or GLB file (in "
-                 "single precision)");
-    options.text(values->mesh_origin, "--mesh-origin", "X,Y,Z",
-                 "Where its (0, 0, 0) lies in the terrain's coordinates, metres (what a PLY file's "
-                 "comment origin_m says, else 0,0,0)");
-    options.choice(values->mesh_up, "--mesh-up", {"z", "y"},
-                   "Its upward axis (z); with y, its -z is north");
+    add_stranger_options(options, values->stranger);
     options.group("Audit");
     options.texts(values->limits, "--limit", "MEASURE=VALUE",
                   "Judge this as well: " + limit_names());

@@ -62,17 +62,20 @@ Rows summary_rows(const AuditResult& result) {
          fmt::format("{} open edges, {} T-junctions, {} non-manifold, {} degenerate, {} folded",
                      t.open_edges, t.t_junctions, t.non_manifold_edges + t.non_manifold_vertices,
                      t.degenerate_triangles, t.folded_triangles)});
-  } else {
+  } else if (result.of_solid) {
     rows.push_back(
         {"set aside", fmt::format("{} pixels whose rays get below the ground without crossing it",
                                   result.pixels_set_aside)});
+  } else {
+    rows.push_back({"not told", "samples, topology and normals: a depth buffer has no triangles"});
   }
-  rows.push_back(
-      {"drawn", result.cost.slices > 0
-                    ? fmt::format("{} slices, {} triangles, {} fragments", result.cost.slices,
-                                  result.cost.triangles, result.cost.fragments)
-                    : fmt::format("{} triangles, {} fragments", result.cost.triangles,
-                                  result.cost.fragments)});
+  if (result.of_mesh || result.of_solid)
+    rows.push_back(
+        {"drawn", result.cost.slices > 0
+                      ? fmt::format("{} slices, {} triangles, {} fragments", result.cost.slices,
+                                    result.cost.triangles, result.cost.fragments)
+                      : fmt::format("{} triangles, {} fragments", result.cost.triangles,
+                                    result.cost.fragments)});
   rows.push_back({"patches", fmt::format("{} claims of their own judged, {} broken",
                                          result.patch_claims, result.patch_claims_broken)});
   rows.push_back(

@@ -34,7 +34,7 @@ TEST(MeshPlace, NamesBothBoxesOfAMeshThatLiesElsewhere) {
   ASSERT_TRUE(hint);
   for (const char* words :
        {"do not overlap", "the mesh lies at x 0 to 100, y 0 to 100",
-        "the terrain at x 500000 to 500100, y 4500000 to 4500100", "--mesh-origin", "--mesh-up"})
+        "the terrain at x 500000 to 500100, y 4500000 to 4500100", "--offset", "--up"})
     EXPECT_NE(hint->find(words), std::string::npos) << *hint;
   EXPECT_EQ(hint->find('\n'), std::string::npos);
 }

@@ -1,0 +1,346 @@
+// Frames that fit nowhere are named; frames that are merely wrong are not.
+#include "audit/depth_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "support/stranger_frames.h"
+
+namespace plumb::audit {
+namespace {
+
+using test_support::decimated;
+using test_support::Ground;
+using test_support::ground;
+using test_support::noise;
+using test_support::written;
+
+struct View {
+  const char* preset;
+  int width, height;
+};
+const std::vector<View> kViews{{"oblique", 160, 90}, {"top", 61, 37}, {"valley", 97, 121}};
+const std::vector<const char*> kTerrains{"alpine?seed=7", "canyon?seed=3", "dunes?seed=5"};
+
+std::optional<Misfit> misfit(const Ground& there, const image::DepthBuffer& buffer,
+                             const DepthMeaning& meaning, const Camera& camera,
+                             const Tolerance& tolerance = {}) {
+  return misfit_of_depth(there.truth, there.truth.caster.cast_frame(camera), buffer, meaning,
+                         camera, tolerance);
+}
+
+// A frame as it was drawn, and how it is taken.
+struct Frame {
+  Camera drawn_by;
+  DepthMeaning written_as;
+};
+
+void for_every_view(const std::function<void(const Ground&, const Camera&)>& look, int size = 129) {
+  for (const char* generator : kTerrains) {
+    const std::string terrain = fmt::format("generate:{}&size={}", generator, size);
+    const auto there = ground(terrain);
+    for (const View& view : kViews) {
+      SCOPED_TRACE(terrain + " " + view.preset);
+      look(*there, there->camera(view.preset, view.width, view.height));
+    }
+  }
+}
+
+// Draws through `frame`'s camera, reads as linear depth through `camera`.
+void expect_named(const Ground& there, const Camera& camera, const Frame& frame,
+                  const std::string& words, const DepthMeaning& read_as = {},
+                  const Tolerance& tolerance = {}) {
+  const image::DepthBuffer buffer =
+      written(there.truth.caster.cast_frame(frame.drawn_by), frame.drawn_by, frame.written_as);
+  const auto found = misfit(there, buffer, read_as, camera, tolerance);
+  ASSERT_TRUE(found) << words;
+  EXPECT_TRUE(found->refuses) << found->text;
+  EXPECT_NE(found->text.find(words), std::string::npos) << found->text;
+  EXPECT_EQ(found->text.find('\n'), std::string::npos);
+}
+
+constexpr DepthConvention kConventions[] = {DepthConvention::Linear, DepthConvention::Distance,
+                                            DepthConvention::Window, DepthConvention::Ndc,
+                                            DepthConvention::ReverseZ};
+
+TEST(DepthFit, NamesEachConventionTakenForEachOther) {
+  for_every_view([](const Ground& there, const Camera& camera) {
+    for (const DepthConvention one : kConventions) {
+      for (const DepthConvention other : kConventions) {
+        if (one == other) continue;
+        expect_named(there, camera, {camera, {one}},
+                     std::string("--depth-convention ") + name_of(one), {other});
+      }
+    }
+  });
+}
+
+TEST(DepthFit, NamesRowsAndColumnsTheOtherWayRound) {
+  for_every_view([](const Ground& there, const Camera& camera) {
+    expect_named(there, camera, {camera, {DepthConvention::Linear, true}}, "--depth-y up");
+    expect_named(there, camera, {camera, {}}, "--depth-y down", {DepthConvention::Linear, true});
+    expect_named(there, camera, {camera, {DepthConvention::Linear, false, true}},
+                 "columns run from right to left");
+    expect_named(there, camera, {camera, {DepthConvention::Linear, true, true}}, "half a turn");
+  });
+}
+
+TEST(DepthFit, NamesTwoMistakesAtOnce) {
+  for_every_view([](const Ground& there, const Camera& camera) {
+    expect_named(there, camera, {camera, {DepthConvention::Window, true}},
+                 "bottom up (--depth-y up), and its numbers are window depths");
+  });
+}
+
+TEST(DepthFit, NamesTheUnit) {
+  for_every_view([](const Ground& there, const Camera& camera) {
+    for (const auto& [unit, words] : {std::pair{0.3048, "feet (--depth-scale 0.3048)"},
+                                      {1000.0, "kilometres"},
+                                      {0.01, "centimetres"},
+                                      {5000.0, "5000 m"}})
+      expect_named(there, camera, {camera, {DepthConvention::Linear, false, false, unit}}, words);
+  });
+}
+
+TEST(DepthFit, NamesTheOtherAxissFieldOfView) {
+  for_every_view([](const Ground& there, const Camera& camera) {
+    const double aspect = static_cast<double>(camera.width_px) / camera.height_px;
+    Camera wide = camera, narrow = camera;
+    wide.gamma_h *= 1.0 / aspect;
+    wide.gamma_v *= 1.0 / aspect;
+    narrow.gamma_h *= aspect;
+    narrow.gamma_v *= aspect;
+    expect_named(there, camera, {narrow, {}}, "was taken for the horizontal one");
+    expect_named(there, camera, {wide, {}}, "of a horizontal one that was given");
+  });
+}
+
+TEST(DepthFit, NamesShiftsOfHalfAndWholePixels) {
+  for_every_view([](const Ground& there, const Camera& camera) {
+    for (const glm::dvec2 by : {glm::dvec2(0.5, 0.5), {0.0, -0.5}, {1.0, 0.0}}) {
+      Camera shifted = camera;
+      shifted.centre_px += by;
+      expect_named(there, camera, {shifted, {}},
+                   fmt::format("shifted by ({:g}, {:g}) px", by.x, by.y), {}, {0.0, Unit::Pixel});
+      // Within the tolerance it is worth a word, no more.
+      const image::DepthBuffer buffer =
+          written(there.truth.caster.cast_frame(shifted), shifted, {});
+      const auto hint = misfit(there, buffer, {}, camera, {20.0, Unit::Pixel});
+      ASSERT_TRUE(hint);
+      EXPECT_FALSE(hint->refuses) << hint->text;
+    }
+  });
+}
+
+TEST(DepthFit, NamesATerrainThatIsTurned) {
+  for_every_view([](const Ground& there, const Camera& camera) {
+    if (camera.forward.z < -0.99) return;  // from above that is the picture turned
+    if (camera.height_px == 121) return;   // in a valley the eye would be under the turned ground
+    const terrain::Heightfield& field = there.field;
+    const int last_i = field.columns() - 1, last_j = field.rows() - 1;
+    const auto drawn = [&](const std::function<float(int, int)>& height) {
+      terrain::Heightfield other = field;
+      other.heights_m = Grid<float>(field.columns(), field.rows());
+      for (int j = 0; j < field.rows(); ++j) {
+        for (int i = 0; i < field.columns(); ++i) other.heights_m.floats()(i, j) = height(i, j);
+      }
+      const Ground turned(std::move(other));
+      return written(turned.truth.caster.cast_frame(camera), camera, {});
+    };
+    const auto expect = [&](const std::function<float(int, int)>& height, const char* words) {
+      const auto found = misfit(there, drawn(height), {}, camera);
+      ASSERT_TRUE(found) << words;
+      EXPECT_TRUE(found->refuses);
+      EXPECT_NE(found->text.find(words), std::string::npos) << found->text;
+    };
+    expect([&](int i, int j) { return field.heights_m(i, last_j - j); },
+           "north and south exchanged");
+    expect([&](int i, int j) { return field.heights_m(last_i - i, j); }, "east and west exchanged");
+    expect([&](int i, int j) { return field.heights_m(last_i - i, last_j - j); }, "half a turn");
+    expect([&](int i, int j) { return field.heights_m(j, i); }, "rows and columns exchanged");
+    // What stood in the north stands in the east.
+    expect([&](int i, int j) { return field.heights_m(last_j - j, i); },
+           "a quarter of a turn clockwise");
+    expect([&](int i, int j) { return field.heights_m(j, last_i - i); },
+           "a quarter of a turn counter-clockwise");
+    expect([&](int i, int j) { return 0.8f * field.heights_m(i, j); }, "terrain's times 0.8");
+  });
+}
+
+TEST(DepthFit, NamesAnEyeThatStandsElsewhere) {
+  for_every_view([](const Ground& there, const Camera& camera) {
+    Camera high = camera;
+    high.eye_m.z += 5.0;
+    expect_named(there, camera, {high, {}}, "5 m too small, or its camera's eye", {},
+                 {0.0, Unit::Pixel});
+    Camera half = camera;
+    half.eye_m += glm::dvec3(0.5 * there.field.dx_m, 0.5 * there.field.dy_m, 0.0);
+    expect_named(there, camera, {half, {}}, "half a sample off", {}, {0.0, Unit::Pixel});
+  });
+}
+
+TEST(DepthFit, NamesOtherNearAndFarPlanes) {
+  for_every_view([](const Ground& there, const Camera& camera) {
+    Camera other = camera;
+    other.near_m = 10.0;
+    other.far_m = 50000.0;
+    expect_named(there, camera, {other, {DepthConvention::Window}}, "near plane at 10 m",
+                 {DepthConvention::Window});
+    expect_named(there, camera, {other, {DepthConvention::ReverseZ}}, "near plane at 10 m",
+                 {DepthConvention::ReverseZ});
+  });
+}
+
+TEST(DepthFit, RefusesAnotherTerrain) {
+  int refused = 0, all = 0;
+  for_every_view(
+      [&](const Ground& there, const Camera& camera) {
+        for (const char* other :
+             {"generate:alpine?size=257&seed=21", "generate:canyon?size=257&seed=22",
+              "generate:dunes?size=257&seed=23"}) {
+          const auto stranger = ground(other);
+          const HitImage hits = stranger->truth.caster.cast_frame(camera);
+          const auto found = misfit(there, written(hits, camera, {}), {}, camera);
+          ++all;
+          if (!found || !found->refuses) continue;
+          ++refused;
+          EXPECT_NE(found->text.find("another camera or another terrain"), std::string::npos)
+              << found->text;
+        }
+      },
+      257);
+  // What passes looks no worse than a coarse level of detail: dunes of a few metres in place of
+  // others, and mountains seen from above, whose heights move nothing on the screen.
+  EXPECT_GE(refused, all - 6);
+}
+
+TEST(DepthFit, RefusesAnotherCamera) {
+  int refused = 0, all = 0;
+  for_every_view([&](const Ground& there, const Camera& camera) {
+    for (const View& view : kViews) {
+      const Camera other = there.camera(view.preset, camera.width_px, camera.height_px);
+      if (other == camera) continue;
+      const auto found =
+          misfit(there, written(there.truth.caster.cast_frame(other), other, {}), {}, camera);
+      ++all;
+      refused += found && found->refuses;
+    }
+  });
+  // From a valley all that is coarse looks as wrong as another place does, and passes.
+  EXPECT_GE(refused, 13) << all;
+}
+
+// ---- frames that are merely wrong
+
+void expect_nothing(const Ground& there, const image::DepthBuffer& buffer, const Camera& camera,
+                    const std::string& what) {
+  const auto found = misfit(there, buffer, {}, camera, {0.5, Unit::Pixel});
+  EXPECT_FALSE(found) << what << ": " << found->text;
+}
+
+TEST(DepthFit, NamesNothingInAnExactFrame) {
+  for_every_view([](const Ground& there, const Camera& camera) {
+    for (const DepthConvention convention : kConventions) {
+      for (const bool up : {false, true}) {
+        const DepthMeaning meaning{convention, up};
+        const image::DepthBuffer buffer =
+            written(there.truth.caster.cast_frame(camera), camera, meaning);
+        const auto found = misfit(there, buffer, meaning, camera, {0.0, Unit::Pixel});
+        EXPECT_FALSE(found) << name_of(convention) << ": " << found->text;
+      }
+    }
+  });
+}
+
+TEST(DepthFit, NamesNothingInACoarseLevelOfDetail) {
+  for_every_view([](const Ground& there, const Camera& camera) {
+    for (int stride = 2; stride <= 64; stride *= 2) {
+      const auto coarse = decimated(there.field, stride);
+      expect_nothing(there, written(coarse->truth.caster.cast_frame(camera), camera, {}), camera,
+                     fmt::format("stride {}", stride));
+    }
+  });
+}
+
+TEST(DepthFit, NamesNothingInNoiseHolesAndCracks) {
+  for_every_view([](const Ground& there, const Camera& camera) {
+    const HitImage hits = there.truth.caster.cast_frame(camera);
+    for (const double size : {1e-4, 1e-2, 0.1}) {
+      HitImage noisy = hits;
+      for (std::size_t k = 0; k < noisy.size(); ++k)
+        noisy.depth_m[k] *= 1.0 + size * (noise(1, static_cast<int>(k), 0) - 0.5);
+      expect_nothing(there, written(noisy, camera, {}), camera, fmt::format("noise of {}", size));
+    }
+    for (const int period : {2, 3, 7, 31}) {
+      HitImage torn = hits;
+      for (std::size_t k = 0; k < torn.size(); ++k) {
+        const auto column = static_cast<int>(k % static_cast<std::size_t>(torn.width_px));
+        if (column % period == 0) torn.depth_m[k] = kNoHit;
+      }
+      expect_nothing(there, written(torn, camera, {}), camera,
+                     fmt::format("a crack every {}", period));
+    }
+    HitImage half = hits;
+    std::fill_n(half.depth_m.begin(), half.size() / 3, kNoHit);
+    expect_nothing(there, written(half, camera, {}), camera, "a third of it missing");
+  });
+}
+
+TEST(DepthFit, NamesNothingWhereThereIsOnlySky) {
+  const auto there = ground("generate:alpine?size=129&seed=7");
+  Camera camera = there->camera("oblique", 80, 45);
+  camera.forward = glm::dvec3(0.0, 0.0, 1.0);
+  camera.up = glm::dvec3(0.0, 1.0, 0.0);
+  camera.right = glm::dvec3(-1.0, 0.0, 0.0);
+  const HitImage sky(80, 45);
+  for (const DepthConvention convention : kConventions) {
+    const DepthMeaning meaning{convention};
+    EXPECT_FALSE(misfit(*there, written(sky, camera, meaning), meaning, camera));
+  }
+}
+
+TEST(DepthFit, RefusesAFrameInWhichNothingIsDrawn) {
+  const auto there = ground("generate:alpine?size=129&seed=7");
+  const Camera camera = there->camera("oblique", 80, 45);
+  const auto found = misfit(*there, written(HitImage(80, 45), camera, {}), {}, camera);
+  ASSERT_TRUE(found);
+  EXPECT_NE(found->text.find("shows something in 0 % of its pixels"), std::string::npos)
+      << found->text;
+}
+
+// A survey of mountains, and one of a town from the air, which has voids.
+TEST(DepthFit, DoesTheSameOnRealTerrains) {
+  bool any = false;
+  for (const char* name : {"jacksboro_fault_403x344.tif", "ahn_dsm_0p5m_963x840.tif"}) {
+    const std::string file = std::string(PLUMB_SOURCE_DIR "/../shared/data/") + name;
+    if (!std::filesystem::exists(file)) continue;
+    any = true;
+    SCOPED_TRACE(name);
+    const auto there = ground(file);
+    const Camera camera = there->camera("oblique", 131, 75);
+    for (const DepthConvention convention :
+         {DepthConvention::Distance, DepthConvention::Window, DepthConvention::ReverseZ})
+      expect_named(*there, camera, {camera, {convention}},
+                   std::string("--depth-convention ") + name_of(convention));
+    expect_named(*there, camera, {camera, {DepthConvention::Linear, true}}, "--depth-y up");
+    Camera wide = camera;
+    wide.gamma_h *= 131.0 / 75.0;
+    wide.gamma_v *= 131.0 / 75.0;
+    expect_named(*there, camera, {wide, {}}, "was taken for the horizontal one");
+    const HitImage hits = there->truth.caster.cast_frame(camera);
+    expect_nothing(*there, written(hits, camera, {}), camera, "exact");
+    for (int stride = 2; stride <= 64; stride *= 2) {
+      const HitImage coarse = decimated(there->field, stride)->truth.caster.cast_frame(camera);
+      expect_nothing(*there, written(coarse, camera, {}), camera, fmt::format("stride {}", stride));
+    }
+  }
+  if (!any) GTEST_SKIP() << "the real terrains of ../shared/data are not here";
+}
+
+}  // namespace
+}  // namespace plumb::audit
