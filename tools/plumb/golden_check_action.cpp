@@ -36,6 +36,7 @@ std::string errors_in(const GoldenManifest& manifest, const std::vector<GoldenCh
 }  // namespace
 
 int golden_check(const GoldenOptions& options, const Invocation& invocation) {
+  require_place_of_its_own(options);
   const GoldenManifest manifest = read_manifest(options.folder);
   std::vector<GoldenCase> cases = manifest.cases;
   if (!options.name.empty()) cases = {find_case(manifest, options.name)};

@@ -3,12 +3,30 @@
 
 #include "audit/picture.h"
 #include "compare/comparison_page.h"
+#include "core/check.h"
 #include "golden_picture.h"
 #include "golden_text.h"
 #include "image/image_files.h"
 
 namespace plumb::tool {
 namespace fs = std::filesystem;
+namespace {
+
+bool lies_in(const fs::path& path, const fs::path& folder) {
+  const fs::path inner = fs::weakly_canonical(path / ""), outer = fs::weakly_canonical(folder / "");
+  const fs::path from = inner.lexically_relative(outer);
+  return !from.empty() && *from.begin() != "..";
+}
+
+}  // namespace
+
+void require_place_of_its_own(const GoldenOptions& options) {
+  for (const std::string& folder : {options.folder, options.actual}) {
+    if (!options.output.empty() && !folder.empty() && lies_in(options.output, folder))
+      input_error("-o '{}': it lies in '{}', where nothing but the cases' own files may be",
+                  options.output, folder);
+  }
+}
 
 void write_case_files(const std::string& folder, const std::string& command, GoldenCheck& check) {
   if (!check.has_picture()) return;

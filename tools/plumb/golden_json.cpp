@@ -48,8 +48,8 @@ void add_metrics(const GoldenCheck& check, Json& entry) {
   if (check.comparison) {
     entry["comparison"] = Json::parse(compare::comparison_json(*check.comparison, ""));
     entry["comparison"].erase("command");
-    if (check.patches_golden.empty() || (!check.patches_golden[0] && !check.patches_now[0])) return;
-    entry["patches"] = patches_json(check);
+    if (!check.patches_golden.empty() && (check.patches_golden[0] || check.patches_now[0]))
+      entry["patches"] = patches_json(check);
   }
   if (check.responsible) {
     entry["patch_responsible"] = patch_json(check.responsible->patch);

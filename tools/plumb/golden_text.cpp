@@ -44,10 +44,15 @@ std::string metrics_text(const GoldenCheck& check) {
   return indented(text);
 }
 
+bool shows_patches(const GoldenCheck& check) {
+  return !check.patches_golden.empty() &&
+         (check.patches_golden.front() || check.patches_now.front());
+}
+
 std::string worst_text(const GoldenCheck& check) {
   if (!check.comparison || check.comparison->worst.empty()) return "";
   const std::vector<compare::WorstPixel>& worst = check.comparison->worst;
-  const bool patches = check.patches_golden.front() || check.patches_now.front();
+  const bool patches = shows_patches(check);
   std::vector<TextColumn> columns{
       {"worst pixel", true}, {"what"}, {"value", true}, {"golden"}, {"now"}};
   if (patches) columns.insert(columns.end(), {{"patch in golden"}, {"patch now"}});
@@ -106,11 +111,13 @@ NextSteps next_steps(const GoldenOptions& options, const GoldenCheck& check) {
   return steps;
 }
 
-std::string case_text(const GoldenOptions& options, const GoldenCheck& check) {
+std::string case_text(const GoldenOptions& options, const GoldenCheck& check, bool with_metrics) {
   std::string text = fmt::format("{}: {}{}{}\n", check.name, name_of(check.verdict),
                                  check.message.empty() ? "" : ": ", check.message);
-  text += text_of(check.channels) + metrics_text(check) + worst_text(check) + patch_text(check) +
-          files_text(check);
+  text += text_of(check.channels);
+  if (with_metrics) text += metrics_text(check);
+  if (with_metrics || shows_patches(check)) text += worst_text(check);
+  text += patch_text(check) + files_text(check);
   const NextSteps steps = next_steps(options, check);
   if (!steps.see.empty() && check.files.page.empty())
     text += fmt::format("  {:<12}{}\n", "to see:", steps.see);

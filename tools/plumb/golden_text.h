@@ -21,8 +21,10 @@ NextSteps next_steps(const GoldenOptions& options, const GoldenCheck& check);
 std::string check_text(const GoldenOptions& options, const std::vector<GoldenCheck>& checks,
                        const std::vector<std::string>& strays);
 
-/// The part of it that speaks of one case, the verdict first.
-std::string case_text(const GoldenOptions& options, const GoldenCheck& check);
+/// The part of it that speaks of one case, the verdict first; without the metrics for somebody who
+/// prints comparison_text below it.
+std::string case_text(const GoldenOptions& options, const GoldenCheck& check,
+                      bool with_metrics = true);
 
 /// One object, schema "plumb.golden/1", with the same; the comparison as in compare_json, without
 /// its command. A line end behind it.
@@ -33,6 +35,10 @@ std::string check_json(const GoldenOptions& options, const std::vector<GoldenChe
 /// an error, and so is each stray file.
 std::string check_junit(const GoldenOptions& options, const std::vector<GoldenCheck>& checks,
                         const std::vector<std::string>& strays);
+
+/// Throws InputError if options.output lies in the golden folder or in the other program's: what is
+/// written there would be taken for theirs.
+void require_place_of_its_own(const GoldenOptions& options);
 
 /// Writes into FOLDER/NAME what there is of these, and says so in check.files:
 ///   golden.EXT, actual.EXT   copies of the reference and of the picture (of a drawn one EXR and

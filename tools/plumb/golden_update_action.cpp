@@ -53,7 +53,7 @@ void replace(const GoldenManifest& manifest, const GoldenCheck& check,
 }
 
 void print_changes(const GoldenOptions& options, const GoldenCheck& check) {
-  std::cout << case_text(options, check);
+  std::cout << case_text(options, check, false);
   if (check.comparison) std::cout << "\n" << comparison_text(*check.comparison);
 }
 
@@ -61,6 +61,7 @@ void print_changes(const GoldenOptions& options, const GoldenCheck& check) {
 
 int golden_update(const GoldenOptions& options, const Invocation& invocation) {
   if (options.name.empty()) input_error("golden update needs the NAME of a case");
+  require_place_of_its_own(options);
   const GoldenManifest manifest = read_manifest(options.folder);
   const GoldenCase& golden = find_case(manifest, options.name);
   std::optional<ActualFolder> actual;
