@@ -1,11 +1,8 @@
 // plumb golden for another program's pictures: a manifest, and the folder that it writes into.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <random>
 
 #include "golden_folder.h"
 #include "image/image_files.h"
@@ -17,12 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 using image::Rgb8Image;
 using nlohmann::json;
-
-constexpr int kWidth = 192, kHeight = 108;
-
-std::uint8_t& channel(Rgb8Image& image, int x, int y, int c) {
-  return image.rgb[static_cast<std::size_t>((y * image.width_px + x) * 3 + c)];
-}
 
 // A renderer's output folder with two pictures, and a manifest of them: "valley" within the default
 // profile, "ridge" bit for bit.
@@ -39,7 +30,7 @@ class GoldenPictures : public ::testing::Test {
   void SetUp() override {
     fs::create_directories(out());
     image::write_png(out() / "valley.png", drawn_);
-    image::write_png(out() / "ridge.png", mirrored());
+    image::write_png(out() / "ridge.png", mirrored(drawn_));
     ASSERT_EQ(add("valley", "default").status, 0);
     ASSERT_EQ(add("ridge", "none").status, 0);
   }
@@ -62,32 +53,6 @@ class GoldenPictures : public ::testing::Test {
     }
     return "?";
   }
-  static Rgb8Image mirrored() {
-    Rgb8Image image = drawn_;
-    for (int y = 0; y < kHeight; ++y) {
-      for (int x = 0; x < kWidth; ++x) {
-        for (int c = 0; c < 3; ++c) channel(image, x, y, c) = channel(drawn_, kWidth - 1 - x, y, c);
-      }
-    }
-    return image;
-  }
-  // One unit up, down or nothing, as a dithered output has it.
-  static Rgb8Image noisy() {
-    Rgb8Image image = drawn_;
-    std::mt19937 random(7);
-    for (std::uint8_t& value : image.rgb)
-      value = static_cast<std::uint8_t>(
-          std::clamp(static_cast<int>(value) + static_cast<int>(random() % 3) - 1, 0, 255));
-    return image;
-  }
-  // The sky's colour through the ground, one pixel wide.
-  static Rgb8Image cracked() {
-    Rgb8Image image = drawn_;
-    for (int y = 60; y < 100; ++y) {
-      for (int c = 0; c < 3; ++c) channel(image, 90, y, c) = channel(drawn_, 0, 0, c);
-    }
-    return image;
-  }
   fs::path golden() const { return folder_.path() / "golden"; }
   fs::path out() const { return folder_.path() / "out"; }
 
@@ -109,7 +74,7 @@ TEST_F(GoldenPictures, AreTheSameAsLongAsNothingChanges) {
 
 // The last bit of everything: within the tolerance, and said; not for a case without one.
 TEST_F(GoldenPictures, PassWithinTheirTolerance) {
-  image::write_png(out() / "valley.png", noisy());
+  image::write_png(out() / "valley.png", noisy(drawn_));
   const CommandResult result = run({"check"});
   EXPECT_EQ(result.status, 0) << result.out << result.err;
   EXPECT_TRUE(contains(result.out, "valley  within tolerance  default")) << result.out;
@@ -121,7 +86,7 @@ TEST_F(GoldenPictures, PassWithinTheirTolerance) {
 }
 
 TEST_F(GoldenPictures, FailForACrackAndNameItsPixelWithBothValues) {
-  image::write_png(out() / "valley.png", cracked());
+  image::write_png(out() / "valley.png", cracked(drawn_));
   const CommandResult result = run({"check", "-o", folder_.file("found")});
   EXPECT_EQ(result.status, 1);
   EXPECT_TRUE(contains(result.out, "valley  differs")) << result.out;
@@ -154,7 +119,7 @@ TEST_F(GoldenPictures, AreJudgedByAProfileBesideTheManifest) {
   write(golden() / "loose.toml", "[colour]\nlargest = 1.0\n");
   EXPECT_EQ(run({"check"}).status, 2);  // nothing names it yet
   replace_in(golden() / "manifest.toml", "\"default\"", "\"loose.toml\"");
-  image::write_png(out() / "valley.png", cracked());
+  image::write_png(out() / "valley.png", cracked(drawn_));
   EXPECT_EQ(run({"check"}).status, 0);
   write(golden() / "loose.toml", "[colour]\nlargest = 0.01\n");
   EXPECT_EQ(run({"check"}).status, 1);
@@ -172,7 +137,7 @@ TEST_F(GoldenPictures, AreJudgedByAProfileBesideTheManifest) {
 TEST_F(GoldenPictures, HaveNoVerdictWhereTheToleranceHasNoLimit) {
   write(golden() / "deep.toml", "systematic = false\nnumbers = false\n[depth]\nlargest = 1.0\n");
   replace_in(golden() / "manifest.toml", "\"default\"", "\"deep.toml\"");
-  image::write_png(out() / "valley.png", noisy());
+  image::write_png(out() / "valley.png", noisy(drawn_));
   EXPECT_EQ(run({"check"}).status, 2);
   EXPECT_EQ(verdict_of("valley"), "failed");
 }
@@ -249,13 +214,13 @@ TEST_F(GoldenPictures, NeedTheirFolder) {
 
 // The reference's file changed by hand, though the picture is what the manifest says.
 TEST_F(GoldenPictures, AreNotHeldAgainstAReferenceThatIsNotTheManifests) {
-  image::write_png(golden() / "valley" / "ref" / "picture.png", noisy());
+  image::write_png(golden() / "valley" / "ref" / "picture.png", noisy(drawn_));
   EXPECT_EQ(run({"check"}).status, 1);
   EXPECT_EQ(verdict_of("valley"), "stale");
 }
 
 TEST_F(GoldenPictures, AreReplacedOnlyWhenThatIsAccepted) {
-  image::write_png(out() / "valley.png", cracked());
+  image::write_png(out() / "valley.png", cracked(drawn_));
   const std::string manifest = text_of(golden() / "manifest.toml");
   const std::string before = text_of(golden() / "valley" / "ref" / "picture.png");
   const CommandResult shown = run({"update", "valley", "-o", folder_.file("found")});
