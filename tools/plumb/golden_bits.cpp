@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <utility>
+#include <tuple>
 
 #include "core/check.h"
 
@@ -61,6 +61,19 @@ std::vector<char> differing(const PlaneImage& reference, const PlaneImage& pictu
   return differs;
 }
 
+// The picture has a channel id.
+PatchAt patch_of(const PlaneImage& picture, std::size_t pixel) {
+  PatchAt patch{picture.find("id")->values.at(pixel)};
+  if (const Plane* lod = picture.find("lod")) patch.lod = lod->values.at(pixel);
+  return patch;
+}
+
+using Owner = std::tuple<bool, float, float>;  // of the reference; patch; level, -1: none
+struct Count {
+  std::int64_t pixels = 0;
+  PatchAt patch;
+};
+
 void require_one_size(const PlaneImage& a, const PlaneImage& b) {
   require(a.width_px == b.width_px && a.height_px == b.height_px,
           "pictures must be of one size, got {} x {} and {} x {}", a.width_px, a.height_px,
@@ -102,13 +115,10 @@ std::string text_of(const std::vector<ChannelDifference>& channels) {
 }
 
 std::optional<PatchAt> patch_at(const PlaneImage& picture, int x, int y) {
-  const Plane* id = picture.find("id");
-  if (id == nullptr) return std::nullopt;
+  if (picture.find("id") == nullptr) return std::nullopt;
   const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width_px) +
                          static_cast<std::size_t>(x);
-  PatchAt patch{id->values.at(at)};
-  if (const Plane* lod = picture.find("lod")) patch.lod = lod->values.at(at);
-  return patch;
+  return patch_of(picture, at);
 }
 
 std::string text_of(const std::optional<PatchAt>& patch) {
@@ -125,25 +135,22 @@ std::optional<PatchShare> patch_responsible(const PlaneImage& reference,
   const Plane* now = picture.find("id");
   if (before == nullptr && now == nullptr) return std::nullopt;
   const std::vector<char> differs = differing(reference, picture);
-  using Key = std::pair<bool, float>;                          // of the reference; the patch
-  std::map<Key, std::pair<std::int64_t, std::size_t>> counts;  // pixels, the first one
+  std::map<Owner, Count> counts;
   std::int64_t all = 0;
   for (std::size_t k = 0; k < differs.size(); ++k) {
     if (differs[k] == 0) continue;
     ++all;
     const bool is_now = now != nullptr && now->values[k] >= 0.0f;
     if (!is_now && !(before != nullptr && before->values[k] >= 0.0f)) continue;
-    auto& [pixels, first] = counts[{!is_now, is_now ? now->values[k] : before->values[k]}];
-    if (pixels++ == 0) first = k;
+    const PatchAt patch = patch_of(is_now ? picture : reference, k);
+    const float lod = patch.lod.value_or(-1.0f);
+    Count& count = counts[{!is_now, patch.id, lod >= 0.0f ? lod : -1.0f}];
+    if (count.pixels++ == 0) count.patch = patch;
   }
   std::optional<PatchShare> most;
-  const auto width = static_cast<std::size_t>(picture.width_px);
-  for (const auto& [key, count] : counts) {
-    if (most && count.first <= most->pixels) continue;
-    const PlaneImage& shown = key.first ? reference : picture;
-    const auto patch = patch_at(shown, static_cast<int>(count.second % width),
-                                static_cast<int>(count.second / width));
-    most = PatchShare{*patch, !key.first, count.first, all};
+  for (const auto& [owner, count] : counts) {
+    if (!most || count.pixels > most->pixels)
+      most = PatchShare{count.patch, !std::get<bool>(owner), count.pixels, all};
   }
   return most;
 }

@@ -41,7 +41,7 @@ std::optional<PatchAt> patch_at(const image::PlaneImage& picture, int x, int y);
 /// "12, lod 3", "none" where nothing is seen, "-" without such a channel.
 std::string text_of(const std::optional<PatchAt>& patch);
 
-/// The patch that most of the pixels lie in that differ in any channel.
+/// The patch, at one of its levels, in which most of the pixels lie that differ in any channel.
 struct PatchShare {
   PatchAt patch;
   bool is_now = true;       // of the picture; else of the reference, where the picture shows none

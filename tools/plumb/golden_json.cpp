@@ -13,10 +13,17 @@ using Json = nlohmann::ordered_json;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+// An id or a level, which are whole.
+Json whole(float value) {
+  return std::abs(value) < 1e9f && value == std::floor(value)
+             ? Json(static_cast<std::int64_t>(value))
+             : number(value);
+}
+
 Json patch_json(const std::optional<PatchAt>& patch) {
   if (!patch || !(patch->id >= 0.0f)) return nullptr;
-  Json json{{"id", number(patch->id)}};
-  if (patch->lod) json["lod"] = number(*patch->lod);
+  Json json{{"id", whole(patch->id)}};
+  if (patch->lod) json["lod"] = whole(*patch->lod);
   return json;
 }
 

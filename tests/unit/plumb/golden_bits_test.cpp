@@ -113,6 +113,12 @@ TEST(Patches, AreBlamedForMostOfThePixels) {
   EXPECT_TRUE(share->is_now);
   EXPECT_EQ(share->pixels, 2);
   EXPECT_EQ(share->of, 3);
+  // A patch may have more than one level: three pixels of patch 4, on levels 1, 1 and 3.
+  at(a, "lod", 1) = at(b, "lod", 1) = at(a, "lod", 3) = at(b, "lod", 3) = 1.0f;
+  at(a, "lod", 2) = at(b, "lod", 2) = 3.0f;
+  at(b, "Z", 2) = 2.0f;
+  EXPECT_EQ(patch_responsible(a, b)->patch, (PatchAt{4.0f, 1.0f}));
+  EXPECT_EQ(patch_responsible(a, b)->pixels, 2);
 }
 
 // A hole: the patch that should have been there is named.
