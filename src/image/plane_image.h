@@ -1,6 +1,7 @@
 // A picture from any file, every channel of it, numbers as they are stored.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -39,6 +40,14 @@ struct PlaneImage {
 
 /// The channels of a picture that was drawn, those that are there.
 PlaneImage planes_of(const AovImage& picture);
+
+/// Checksum of the size and of the raw bits of every channel, as floats: those of channels() first,
+/// in that order, then the others by name; and of the word "sRGB" where that is the encoding.
+/// Neither the metadata, nor the file's format, nor the bits of its samples are part of it.
+///
+///   (1) That of planes_of(picture) is raw_checksum(picture).
+///   (2) The order of the planes changes nothing, nor does a float file written in another format.
+std::uint64_t raw_checksum(const PlaneImage& picture);
 
 /// A file in any format that OpenImageIO reads; alpha is not multiplied in. Throws InputError with
 /// path and cause if it cannot be read whole, has no pixels or more than one part.

@@ -3,15 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <filesystem>
-#include <set>
 #include <string_view>
 
 #include "core/check.h"
 
 namespace plumb::compare {
-namespace {
-
 namespace fs = std::filesystem;
 
 bool is_picture(const fs::path& path) {
@@ -36,8 +32,6 @@ std::set<std::string> pictures_below(const std::string& folder) {
   }
   return names;
 }
-
-}  // namespace
 
 PicturePair read_pair(const std::string& reference, const std::string& candidate,
                       const std::string& mask) {

@@ -1,6 +1,8 @@
 // Pictures to be compared, from files and folders.
 #pragma once
 
+#include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,8 +22,15 @@ struct FolderFiles {
   std::vector<MissingFile> missing;
 };
 
-/// Files are pictures by their extension (EXR, HDR, PFM, PNG, TIFF, JPEG, BMP, TGA, PNM, WebP);
-/// others are passed over. Throws InputError for a folder that cannot be read.
+/// Whether a file is a picture by its extension: EXR, HDR, PFM, PNG, TIFF, JPEG, BMP, TGA, PNM,
+/// WebP, in letters of either size.
+bool is_picture(const std::filesystem::path& path);
+
+/// The names of all pictures below a folder; other files are passed over. Throws InputError for a
+/// folder that cannot be read.
+std::set<std::string> pictures_below(const std::string& folder);
+
+/// Throws InputError for a folder that cannot be read.
 FolderFiles folder_files(const std::string& reference, const std::string& candidate);
 
 }  // namespace plumb::compare

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "audit/toml_document.h"
+#include "compare/folder_pairs.h"
 #include "core/check.h"
 
 namespace plumb::tool {
@@ -28,9 +29,15 @@ std::uint64_t checksum_in(const audit::TomlValue& value) {
 }
 
 void check_name(const std::string& name, const std::string& where) {
-  constexpr const char* kAllowed = "abcdefghijklmnopqrstuvwxyz0123456789_";
-  if (name.empty() || name.find_first_not_of(kAllowed) != std::string::npos)
-    input_error("{}: a case's name has a-z, 0-9 and _, got '{}'", where, name);
+  constexpr const char* kAllowed =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.";
+  const bool allowed = !name.empty() && name.front() != '.' && name.front() != '-' &&
+                       name.find_first_not_of(kAllowed) == std::string::npos;
+  if (!allowed || name.ends_with(".toml"))
+    input_error(
+        "{}: a case's name has letters, digits, _, - and ., begins with neither of the "
+        "last two and ends with no .toml, got '{}'",
+        where, name);
 }
 
 GoldenCase case_in(const audit::TomlValue& entry) {
@@ -45,8 +52,7 @@ GoldenCase case_in(const audit::TomlValue& entry) {
       found.checksum = checksum_in(value);
       found.checksum_line = value.line;
     } else if (key == "tolerance") {
-      if (audit::word_in(value) != "none")
-        input_error("{}: expected \"none\", bit for bit", value.where);
+      found.tolerance = audit::word_in(value);
     } else if (key == "why") {
       found.why = audit::word_in(value);
     } else {
@@ -57,13 +63,45 @@ GoldenCase case_in(const audit::TomlValue& entry) {
   return found;
 }
 
-// What may lie below the manifest's folder.
+bool is_file(const std::string& tolerance) { return tolerance.ends_with(".toml"); }
+
+// A path and the folders on the way to it.
+void expect(const fs::path& folder, const fs::path& path, std::set<fs::path>& expected) {
+  for (fs::path each = path.lexically_normal(); each != folder && each.has_relative_path();
+       each = each.parent_path())
+    expected.insert(each);
+}
+
+// A profile's file and those that it inherits from; whether it can be read is seen when it is used.
+void expect_profile(const fs::path& folder, const fs::path& path, std::set<fs::path>& expected) {
+  if (expected.contains(path) || !fs::is_regular_file(path)) return;
+  expect(folder, path, expected);
+  try {
+    const std::string text = audit::read_text_file(path.string(), "profile");
+    for (const auto& [key, value] : audit::parse_toml(text, path.string())) {
+      const auto* base = std::get_if<std::string>(&value.data);
+      if (key == "inherits" && base != nullptr && is_file(*base))
+        expect_profile(folder, (path.parent_path() / *base).lexically_normal(), expected);
+    }
+  } catch (const InputError&) {
+  }
+}
+
+// What may lie below the manifest's folder, as normal paths.
 std::set<fs::path> expected_files(const GoldenManifest& manifest) {
-  std::set<fs::path> expected{manifest.path()};
+  const fs::path folder = manifest.folder.lexically_normal();
+  std::set<fs::path> expected{manifest.path().lexically_normal()};
   for (const GoldenCase& each : manifest.cases) {
     const std::string& name = each.name;
-    expected.insert({manifest.folder / name, manifest.scene(name), manifest.why(name),
-                     manifest.exr(name).parent_path(), manifest.exr(name), manifest.png(name)});
+    expect(folder, manifest.why(name), expected);
+    expect(folder, manifest.exr(name).parent_path(), expected);
+    for (const fs::path& reference : manifest.references(name)) expect(folder, reference, expected);
+    if (manifest.is_drawn(name)) {
+      expect(folder, manifest.scene(name), expected);
+      expect(folder, manifest.png(name), expected);
+    }
+    if (is_file(each.tolerance))
+      expect_profile(folder, (folder / each.tolerance).lexically_normal(), expected);
   }
   return expected;
 }
@@ -91,17 +129,39 @@ GoldenManifest read_manifest(const fs::path& folder) {
   return parse_manifest(audit::read_text_file(path, "manifest"), folder);
 }
 
-void require_tidy(const GoldenManifest& manifest) {
+std::vector<fs::path> GoldenManifest::references(const std::string& name) const {
+  std::vector<fs::path> found;
+  if (is_drawn(name)) {
+    if (fs::is_regular_file(exr(name))) found.push_back(exr(name));
+    return found;
+  }
+  const fs::path ref = exr(name).parent_path();
+  if (!fs::is_directory(ref)) return found;
+  for (const fs::directory_entry& each : fs::directory_iterator(ref)) {
+    if (each.path().stem() == "picture" && each.is_regular_file() &&
+        compare::is_picture(each.path()))
+      found.push_back(each.path());
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+compare::Profile profile_of(const GoldenManifest& manifest, const GoldenCase& golden) {
+  if (golden.bit_for_bit()) return compare::built_in_profiles().front();
+  if (!is_file(golden.tolerance)) return compare::find_profile(golden.tolerance);
+  return compare::find_profile((manifest.folder / golden.tolerance).string());
+}
+
+std::vector<std::string> stray_files(const GoldenManifest& manifest) {
   const std::set<fs::path> expected = expected_files(manifest);
   std::vector<std::string> strays;
   for (fs::recursive_directory_iterator each(manifest.folder), end; each != end; ++each) {
-    if (expected.contains(each->path())) continue;
+    if (expected.contains(each->path().lexically_normal())) continue;
     strays.push_back(fs::relative(each->path(), manifest.folder).string());
     each.disable_recursion_pending();
   }
   std::sort(strays.begin(), strays.end());
-  if (!strays.empty())
-    input_error("{}: no case names {}", manifest.path().string(), fmt::join(strays, ", "));
+  return strays;
 }
 
 const GoldenCase& find_case(const GoldenManifest& manifest, const std::string& name) {
@@ -141,9 +201,9 @@ std::string with_case(const GoldenManifest& manifest, const GoldenCase& added) {
   if (added.why.empty() || added.why.find('\n') != std::string::npos)
     input_error("case '{}': expected one sentence that says why it is kept", added.name);
   const std::string before = manifest.text.empty() ? kHeading : manifest.text;
-  return fmt::format("{}\n[[case]]\nname = {}\nchecksum = \"{}\"\ntolerance = \"none\"\nwhy = {}\n",
+  return fmt::format("{}\n[[case]]\nname = {}\nchecksum = \"{}\"\ntolerance = {}\nwhy = {}\n",
                      before, audit::toml_text(added.name), checksum_digits(added.checksum),
-                     audit::toml_text(added.why));
+                     audit::toml_text(added.tolerance), audit::toml_text(added.why));
 }
 
 }  // namespace plumb::tool

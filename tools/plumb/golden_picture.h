@@ -1,61 +1,52 @@
-// A golden case, drawn again and held against its reference.
+// The picture of a golden case: drawn again, or read from a file; and its reference, written.
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <optional>
 #include <string>
-#include <vector>
 
 #include "audit/scene.h"
 #include "golden_manifest.h"
 #include "image/aov_image.h"
+#include "image/plane_image.h"
 
 namespace plumb::tool {
-
-/// What is different in a channel, by its bits.
-struct ChannelDifference {
-  std::string channel;
-  std::int64_t pixels = 0;
-  double largest = 0.0;  // +inf where one of two numbers is not finite, or only one has the channel
-};
-
-/// Channels in which two pictures of the same size differ; none if every bit is equal.
-std::vector<ChannelDifference> channel_differences(const image::AovImage& reference,
-                                                   const image::AovImage& picture);
-
-enum class GoldenVerdict {
-  Same,     // bit for bit
-  Differs,  // from the manifest's checksum
-  Missing,  // no reference picture
-  Stale,    // drawn as the manifest says, but the files in ref/ show something else
-  Failed,   // could not be drawn or read
-};
-const char* name_of(GoldenVerdict verdict);  // "same", "differs", "missing", "stale", "failed"
-
-struct GoldenCheck {
-  std::string name;
-  GoldenVerdict verdict = GoldenVerdict::Same;
-  std::string message;  // one line: what is wrong
-  std::uint64_t expected = 0, found = 0;
-  std::vector<ChannelDifference> channels;
-  image::AovImage picture;  // as drawn now
-};
-
-/// Draws the case and compares it: checksum first, channels after. Errors in its files are the
-/// verdict Failed.
-GoldenCheck check_case(const GoldenManifest& manifest, const GoldenCase& golden);
 
 /// The scene of a scene file, or of the header of a picture (.exr) that plumb made. Throws
 /// InputError.
 audit::Scene read_scene_or_picture(const std::string& path);
 
+/// The scene in a picture's header; none without one. Throws InputError for one that is none.
+std::optional<audit::Scene> scene_of_header(const image::PlaneImage& picture,
+                                            const std::string& path);
+
 /// The picture of a scene, with the methods that come with plumb. Throws InputError.
 image::AovImage draw(const audit::Scene& scene);
 
-/// Writes ref/picture.exr and ref/picture.png of a case. Throws InputError.
+/// Who draws the scene: "rays", "restricted-quadtree, 1px".
+std::string painter_text(const audit::Scene& scene);
+
+/// Writes ref/picture.exr and ref/picture.png of a case that plumb draws: both are made before
+/// either replaces what is there. Throws InputError.
 void write_reference(const GoldenManifest& manifest, const std::string& name,
                      const image::AovImage& picture);
 
-/// Differences as text, a line a channel: "  Z: 12 pixels, 0.5 at most".
-std::string text_of(const std::vector<ChannelDifference>& channels);
+/// Copies a file byte for byte to ref/picture.EXT (the extension in small letters) and takes away
+/// references in other formats. Throws InputError, also if the copy is not the picture of that
+/// checksum (somebody is writing the file); nothing is replaced then.
+void copy_reference(const GoldenManifest& manifest, const std::string& name,
+                    const std::filesystem::path& file, std::uint64_t checksum);
+
+/// Whether ref/picture.png is the preview of this picture.
+bool is_preview(const std::filesystem::path& png, const image::AovImage& picture);
+
+/// A file's bytes under another name, whole or not at all. Throws InputError.
+void copy_whole(const std::filesystem::path& from, const std::filesystem::path& to);
+/// Throws InputError if it cannot be made.
+void make_folder(const std::filesystem::path& folder);
+
+/// ".png" of "a/b.PNG".
+std::string small_extension(const std::filesystem::path& path);
 
 }  // namespace plumb::tool
