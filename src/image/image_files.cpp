@@ -11,6 +11,7 @@
 #include "core/atomic_file.h"
 #include "core/check.h"
 #include "core/memory.h"
+#include "core/parallel.h"
 #include "core/png_file.h"
 #include "image/plane_image.h"
 #include "image/srgb.h"
@@ -296,10 +297,11 @@ PlaneImage read_planes(const fs::path& path) {
   }
   const auto stride = static_cast<std::size_t>(spec.nchannels);
   const auto put = [&](const auto& pixels, double scale) {
-    for (std::size_t k = 0; k < image.size(); ++k) {
+    parallel_for(static_cast<std::int64_t>(image.size()), 65536, [&](std::int64_t at) {
+      const auto k = static_cast<std::size_t>(at);
       for (std::size_t c = 0; c < stride; ++c)
         image.planes[c].values[k] = static_cast<float>(pixels[k * stride + c] / scale);
-    }
+    });
   };
   if (linear) {
     put(read_pixels<float>(*input, path, OIIO::TypeDesc::FLOAT), 1.0);

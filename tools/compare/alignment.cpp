@@ -247,20 +247,34 @@ double rms_enlarged(const Grid<float>& reference, const Grid<float>& candidate, 
   require(factor > 0.0, "a factor must be > 0, got {}", factor);
   if (std::min(reference.columns(), reference.rows()) < kLeastSide) return 0.0;
   const double middle_x = 0.5 * (reference.columns() - 1), middle_y = 0.5 * (reference.rows() - 1);
-  double sum = 0.0;
-  std::int64_t count = 0;
-  for (int j = 0; j + kSquare <= reference.rows(); j += kSquare) {
-    for (int i = 0; i + kSquare <= reference.columns(); i += kSquare) {
-      const double x = i + 0.5 * (kSquare - 1), y = j + 0.5 * (kSquare - 1);
-      const auto there = mean_around(reference, middle_x + (x - middle_x) / factor,
-                                     middle_y + (y - middle_y) / factor, 1.0 / factor);
-      const auto here = mean_around(candidate, x, y, 1.0);
-      if (!there || !here) continue;
-      sum += (*here - *there) * (*here - *there);
-      ++count;
-    }
-  }
-  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0;
+  struct Sum {
+    double squares = 0.0;
+    std::int64_t count = 0;
+  };
+  const std::int64_t rows_of_squares = reference.rows() / kSquare;
+  const std::int64_t stride = std::max(1, row_stride(reference) / kSquare);
+  const Sum all = parallel_ordered_reduce(
+      (rows_of_squares + stride - 1) / stride, 8, Sum{},
+      [&](std::int64_t begin, std::int64_t end, Sum sum) {
+        for (std::int64_t row = stride * begin; row < stride * end && row < rows_of_squares;
+             row += stride) {
+          for (int i = 0; i + kSquare <= reference.columns(); i += kSquare) {
+            const double x = i + 0.5 * (kSquare - 1),
+                         y = static_cast<double>(kSquare * row) + 0.5 * (kSquare - 1);
+            const auto there = mean_around(reference, middle_x + (x - middle_x) / factor,
+                                           middle_y + (y - middle_y) / factor, 1.0 / factor);
+            const auto here = mean_around(candidate, x, y, 1.0);
+            if (!there || !here) continue;
+            sum.squares += (*here - *there) * (*here - *there);
+            ++sum.count;
+          }
+        }
+        return sum;
+      },
+      [](const Sum& a, const Sum& b) {
+        return Sum{a.squares + b.squares, a.count + b.count};
+      });
+  return all.count > 0 ? std::sqrt(all.squares / static_cast<double>(all.count)) : 0.0;
 }
 
 }  // namespace plumb::compare

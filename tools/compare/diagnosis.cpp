@@ -128,12 +128,15 @@ void look_at_values(const std::vector<PlanePair>& pairs, Findings& findings) {
 
 Grid<float> flipped(const Grid<float>& picture, bool rows) {
   Grid<float> result(picture.columns(), picture.rows());
-  for (int j = 0; j < picture.rows(); ++j) {
-    for (int i = 0; i < picture.columns(); ++i) {
-      result(i, j) =
-          rows ? picture(i, picture.rows() - 1 - j) : picture(picture.columns() - 1 - i, j);
+  parallel_for(picture.rows(), 16, [&](std::int64_t at) {
+    const int j = static_cast<int>(at);
+    const std::span<const float> from = picture.row(rows ? picture.rows() - 1 - j : j);
+    if (rows) {
+      std::copy(from.begin(), from.end(), result.row(j).begin());
+    } else {
+      std::reverse_copy(from.begin(), from.end(), result.row(j).begin());
     }
-  }
+  });
   return result;
 }
 
@@ -238,10 +241,12 @@ Grid<float> luma_of(const PlaneImage& picture) {
   if (r == nullptr || g == nullptr || b == nullptr) r = g = b = picture.find("Y");
   if (r == nullptr) return {};
   Grid<float> luma(picture.width_px, picture.height_px);
-  for (std::size_t k = 0; k < picture.size(); ++k) {
+  const std::span<float> values = luma.values();
+  parallel_for(static_cast<std::int64_t>(picture.size()), 65536, [&](std::int64_t at) {
+    const auto k = static_cast<std::size_t>(at);
     const double y = 0.2126 * r->values[k] + 0.7152 * g->values[k] + 0.0722 * b->values[k];
-    luma.values()[k] = std::isfinite(y) ? static_cast<float>(y) : 0.0f;
-  }
+    values[k] = std::isfinite(y) ? static_cast<float>(y) : 0.0f;
+  });
   return luma;
 }
 

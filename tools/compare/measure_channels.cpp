@@ -31,10 +31,9 @@ void add_plain(const Measuring& m, const std::string& group, const std::string& 
   add("rmse", errors.root_mean_square);
   add("psnr", errors.psnr_db());
   for (const double threshold : m.thresholds(group, channel)) {
-    std::size_t over = 0;
-    for (std::size_t k = 0; k < m.pair.size(); ++k)
-      over += m.pair.judged(k) &&
-              std::abs(double{candidate.values[k]} - double{reference.values[k]}) > threshold;
+    const std::size_t over = count_judged(m.pair, [&](std::size_t k) {
+      return std::abs(double{candidate.values[k]} - double{reference.values[k]}) > threshold;
+    });
     m.add({group, channel, "share_over", threshold, share_of(m.pair, over)});
   }
 }
@@ -92,9 +91,8 @@ void measure_coverage(const Measuring& m) {
 void measure_channels(const Measuring& m) {
   for (const image::Plane& reference : m.pair.reference.planes) {
     const image::Plane& candidate = *m.pair.candidate.find(reference.name);
-    const PlaneErrors errors = is_about_sky(reference)
-                                   ? without_sky(m, reference, candidate)
-                                   : plane_errors(reference.values, candidate.values, m.pair.mask);
+    const PlaneErrors errors = is_about_sky(reference) ? without_sky(m, reference, candidate)
+                                                       : m.errors_of(reference.name);
     count_numbers(m, reference, candidate, errors);
     add_plain(m, "channel", reference.name, errors, reference, candidate);
     if (reference.name == "A") add_plain(m, "alpha", "", errors, reference, candidate);

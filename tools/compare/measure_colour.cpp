@@ -25,23 +25,26 @@ Spans spans_of(const std::vector<const image::Plane*>& planes) {
 // The largest difference of a channel; NaN where any number is not finite.
 std::vector<float> difference_map(const Spans& reference, const Spans& candidate) {
   std::vector<float> map(reference.front().size(), 0.0f);
-  for (std::size_t channel = 0; channel < reference.size(); ++channel) {
-    for (std::size_t k = 0; k < map.size(); ++k) {
+  parallel_for(static_cast<std::int64_t>(map.size()), 65536, [&](std::int64_t at) {
+    const auto k = static_cast<std::size_t>(at);
+    float most = 0.0f;
+    bool finite = true;
+    for (std::size_t channel = 0; channel < reference.size(); ++channel) {
       const float apart = std::abs(candidate[channel][k] - reference[channel][k]);
-      map[k] = std::isnan(apart) || std::isnan(map[k]) || std::isinf(apart)
-                   ? std::numeric_limits<float>::quiet_NaN()
-                   : std::max(map[k], apart);
+      finite = finite && std::isfinite(apart);
+      most = std::max(most, apart);
     }
-  }
+    map[k] = finite ? most : std::numeric_limits<float>::quiet_NaN();
+  });
   return map;
 }
 
-void measure_numbers(const Measuring& m, const Spans& reference, const Spans& candidate,
+void measure_numbers(const Measuring& m, const std::vector<const image::Plane*>& channels,
                      std::vector<float> difference) {
   PlaneErrors all;
   double sum = 0.0, squares = 0.0;
-  for (std::size_t channel = 0; channel < reference.size(); ++channel) {
-    const PlaneErrors errors = plane_errors(reference[channel], candidate[channel], m.pair.mask);
+  for (const image::Plane* channel : channels) {
+    const PlaneErrors& errors = m.errors_of(channel->name);
     const auto count = static_cast<double>(errors.compared);
     sum += errors.mean * count;
     squares += errors.root_mean_square * errors.root_mean_square * count;
@@ -62,32 +65,45 @@ void measure_numbers(const Measuring& m, const Spans& reference, const Spans& ca
   m.add(kGroup, "rmse", all.root_mean_square);
   m.add(kGroup, "psnr", all.psnr_db());
   for (const double threshold : m.thresholds(kGroup)) {
-    std::size_t over = 0;
-    for (std::size_t k = 0; k < difference.size(); ++k)
-      over += m.pair.judged(k) && double{difference[k]} > threshold;
+    const std::size_t over =
+        count_judged(m.pair, [&](std::size_t k) { return double{difference[k]} > threshold; });
     m.add({kGroup, "", "share_over", threshold, share_of(m.pair, over)});
   }
   m.keep_map({"colour difference", "the largest difference of a channel, numbers as stored", "",
               std::move(difference), m.bound(kGroup, "largest")});
 }
 
-// Numbers that FLIP and SSIM can work with.
-std::vector<std::vector<float>> finite_copy(const Spans& planes) {
-  std::vector<std::vector<float>> copies;
-  for (const auto& plane : planes) {
-    copies.emplace_back(plane.begin(), plane.end());
-    for (float& value : copies.back()) value = std::isfinite(value) ? value : 0.0f;
+// Planes with zeros where numbers are not finite, which FLIP refuses; whole numbers' are theirs.
+class FinitePlanes {
+ public:
+  FinitePlanes(const Spans& planes, const image::PlaneImage& of) : planes_(planes) {
+    if (of.bits > 0) return;
+    copies_.reserve(planes.size());
+    for (auto& plane : planes_) {
+      copies_.emplace_back(plane.begin(), plane.end());
+      for (float& value : copies_.back()) value = std::isfinite(value) ? value : 0.0f;
+      plane = copies_.back();
+    }
   }
-  return copies;
-}
+  FinitePlanes(const FinitePlanes&) = delete;
+  FinitePlanes& operator=(const FinitePlanes&) = delete;
+
+  ColourPlanes colours(int width, int height) const {
+    return {width, height, planes_[0], planes_[1], planes_[2]};
+  }
+
+ private:
+  Spans planes_;
+  std::vector<std::vector<float>> copies_;
+};
 
 void measure_flip(const Measuring& m, const Spans& reference, const Spans& candidate) {
   if (!m.wants_any(kGroup, {"flip_mean", "flip_first_quartile", "flip_median",
                             "flip_third_quartile", "flip_largest"}))
     return;
-  const auto a = finite_copy(reference), b = finite_copy(candidate);
+  const FinitePlanes a(reference, m.pair.reference), b(candidate, m.pair.candidate);
   const int width = m.pair.width_px(), height = m.pair.height_px();
-  const ColourPlanes there{width, height, a[0], a[1], a[2]}, here{width, height, b[0], b[1], b[2]};
+  const ColourPlanes there = a.colours(width, height), here = b.colours(width, height);
   const double pixels_per_degree = m.profile.options.pixels_per_degree;
   const bool ldr = m.pair.reference.encoding == image::Encoding::Srgb;
   HdrFlipOptions hdr;
@@ -126,26 +142,27 @@ void measure_shift_match(const Measuring& m, const Spans& reference, const Spans
   const auto unmatched =
       unmatched_pixels(reference, candidate, m.pair.width_px(), m.pair.height_px(),
                        {options.shift_radius_px, options.shift_tolerance});
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < unmatched.size(); ++k) count += m.pair.judged(k) && unmatched[k] != 0;
+  const std::size_t count = count_judged(m.pair, [&](std::size_t k) { return unmatched[k] != 0; });
   m.add(kGroup, "unmatched_share", share_of(m.pair, count));
 }
 
 void measure_local(const Measuring& m) {
   if (!m.wants_any(kGroup, {"unexplained_share", "isolated_pixels", "isolated_largest"})) return;
   const auto a = display_colour(m.pair.reference), b = display_colour(m.pair.candidate);
-  const LocalDifference local = local_difference(
-      Spans(a.begin(), a.end()), Spans(b.begin(), b.end()), m.pair.width_px(), m.pair.height_px());
+  LocalDifference local = local_difference(Spans(a.begin(), a.end()), Spans(b.begin(), b.end()),
+                                           m.pair.width_px(), m.pair.height_px());
   const auto above = static_cast<float>(m.profile.options.unexplained_above);
   const auto alone = static_cast<float>(m.profile.options.isolated_above);
-  std::size_t unexplained = 0, isolated = 0, worst = 0;
+  const std::size_t unexplained = count_judged(m.pair, [&](std::size_t k) {
+    return local.unexplained[k] > above &&
+           local.unexplained[k] > kContrastShare * local.contrast[k];
+  });
+  const std::size_t isolated =
+      count_judged(m.pair, [&](std::size_t k) { return local.isolated[k] > alone; });
+  std::size_t worst = 0;
   float largest = 0.0f;
   for (std::size_t k = 0; k < m.pair.size(); ++k) {
-    if (!m.pair.judged(k)) continue;
-    unexplained +=
-        local.unexplained[k] > above && local.unexplained[k] > kContrastShare * local.contrast[k];
-    isolated += local.isolated[k] > alone;
-    if (local.isolated[k] > largest) {
+    if (local.isolated[k] > largest && m.pair.judged(k)) {
       largest = local.isolated[k];
       worst = k;
     }
@@ -155,7 +172,7 @@ void measure_local(const Measuring& m) {
   m.add(kGroup, "isolated_pixels", static_cast<double>(isolated), where);
   m.add(kGroup, "isolated_largest", double{largest}, where);
   m.keep_map({"isolated", "by how much a pixel stands out of all around it in the other picture",
-              "", local.isolated, m.bound(kGroup, "isolated_largest")});
+              "", std::move(local.isolated), m.bound(kGroup, "isolated_largest")});
 }
 
 }  // namespace
@@ -165,7 +182,7 @@ void measure_colour(const Measuring& measuring) {
   const auto candidate = colour_planes(measuring.pair.candidate);
   if (reference.empty() || candidate.empty()) return;
   const Spans a = spans_of(reference), b = spans_of(candidate);
-  measure_numbers(measuring, a, b, difference_map(a, b));
+  measure_numbers(measuring, reference, difference_map(a, b));
   measure_structure(measuring);
   measure_flip(measuring, a, b);
   measure_shift_match(measuring, a, b);

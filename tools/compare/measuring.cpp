@@ -66,6 +66,13 @@ std::optional<double> Measuring::bound(const std::string& group, const char* met
   return std::nullopt;
 }
 
+const PlaneErrors& Measuring::errors_of(const std::string& channel) const {
+  const auto found = errors.find(channel);
+  if (found != errors.end()) return found->second;
+  return errors[channel] = plane_errors(pair.reference.find(channel)->values,
+                                        pair.candidate.find(channel)->values, pair.mask);
+}
+
 Spread spread_of(std::span<const float> values) {
   Spread spread;
   std::vector<float> finite;

@@ -1,10 +1,14 @@
 // What the measurements of a comparison share: the pictures, how to measure, and where it goes.
 #pragma once
 
+#include <map>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "compare/comparison.h"
+#include "compare/plane_errors.h"
+#include "core/parallel.h"
 
 namespace plumb::compare {
 
@@ -25,8 +29,12 @@ struct Measuring {
   void add(Measurement measurement) const;
   /// Keeps a map (where maps are kept), with NaN where the mask is, and its worst pixels.
   void keep_map(ErrorMap map) const;
+  /// How the candidate's channel of a name differs from the reference's; worked out once.
+  const PlaneErrors& errors_of(const std::string& channel) const;
   /// The bound that the profile sets for a metric, if any.
   std::optional<double> bound(const std::string& group, const char* metric) const;
+
+  mutable std::map<std::string, PlaneErrors> errors = {};  // that errors_of worked out
 };
 
 /// Of finite numbers; NaN are left out.
@@ -35,6 +43,19 @@ struct Spread {
   std::size_t count = 0, worst = 0;
 };
 Spread spread_of(std::span<const float> values);
+
+/// How many judged pixels k are wanted(k).
+template <class Wanted>
+std::size_t count_judged(const PicturePair& pair, const Wanted& wanted) {
+  return parallel_ordered_reduce(
+      static_cast<std::int64_t>(pair.size()), 65536, std::size_t{0},
+      [&](std::int64_t begin, std::int64_t end, std::size_t count) {
+        for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
+          count += pair.judged(k) && wanted(k) ? 1u : 0u;
+        return count;
+      },
+      [](std::size_t a, std::size_t b) { return a + b; });
+}
 
 /// Per cent of the pixels that are judged.
 double share_of(const PicturePair& pair, std::size_t pixels);

@@ -32,6 +32,27 @@ std::vector<double> gaussian(int length) {
 constexpr int kMoments = 5;
 using Moments = std::array<double, kMoments>;
 
+// Sum of rows from[k][0 .. count) times weights[k]. Weights are the same from both ends, so pairs
+// are added before they are weighted. Known is the number of weights where compilers know it, or 0.
+template <std::size_t Known>
+void weigh_known(const std::vector<double>& weights, const std::vector<const double*>& from,
+                 std::size_t count, double* __restrict out) {
+  const std::size_t taps = Known > 0 ? Known : weights.size();
+  const double *weight = weights.data(), *const *row = from.data();
+  for (std::size_t w = 0; w < count; ++w) {
+    double sum = taps % 2 == 1 ? weight[taps / 2] * row[taps / 2][w] : 0.0;
+    for (std::size_t k = 0; k < taps / 2; ++k)
+      sum += weight[k] * (row[k][w] + row[taps - 1 - k][w]);
+    out[w] = sum;
+  }
+}
+
+void weigh(const std::vector<double>& weights, const std::vector<const double*>& from,
+           std::size_t count, double* out) {
+  const auto known = weights.size() == kWindow ? &weigh_known<kWindow> : &weigh_known<0>;
+  known(weights, from, count, out);
+}
+
 // Rows of the moments, filtered along the rows.
 class RowFilter {
  public:
@@ -40,19 +61,22 @@ class RowFilter {
 
   // One after the other kMoments rows of `windows` numbers.
   void fill(int row, std::vector<double>& out) const {
-    const auto windows = static_cast<std::size_t>(a_.columns()) - across_.size() + 1;
-    out.assign(kMoments * windows, 0.0);
     const auto x = a_.row(row), y = b_.row(row);
-    for (std::size_t k = 0; k < across_.size(); ++k) {
-      const double weight = across_[k];
-      for (std::size_t w = 0; w < windows; ++w) {
-        const double p = x[w + k], q = y[w + k];
-        out[w] += weight * p;
-        out[windows + w] += weight * q;
-        out[2 * windows + w] += weight * (p * p);
-        out[3 * windows + w] += weight * (q * q);
-        out[4 * windows + w] += weight * (p * q);
-      }
+    const std::size_t columns = x.size(), windows = columns - across_.size() + 1;
+    std::vector<double> products(kMoments * columns);
+    for (std::size_t c = 0; c < columns; ++c) {
+      const double p = x[c], q = y[c];
+      products[c] = p;
+      products[columns + c] = q;
+      products[2 * columns + c] = p * p;
+      products[3 * columns + c] = q * q;
+      products[4 * columns + c] = p * q;
+    }
+    out.resize(kMoments * windows);
+    std::vector<const double*> from(across_.size());
+    for (std::size_t moment = 0; moment < kMoments; ++moment) {
+      for (std::size_t k = 0; k < from.size(); ++k) from[k] = &products[moment * columns + k];
+      weigh(across_, from, windows, &out[moment * windows]);
     }
   }
 
@@ -89,7 +113,7 @@ StructuralSimilarity structural_similarity(const Grid<float>& reference,
                             down = gaussian(std::min(kWindow, rows));
   const int windows_x = columns - static_cast<int>(across.size()) + 1,
             windows_y = rows - static_cast<int>(down.size()) + 1;
-  const RowFilter filter(reference, candidate, across);
+  const RowFilter along_rows(reference, candidate, across);
   const auto width = static_cast<std::size_t>(windows_x);
   std::vector<Found> of_row(static_cast<std::size_t>(windows_y));
   constexpr int kBand = 32;  // rows of windows that share filtered rows
@@ -98,13 +122,16 @@ StructuralSimilarity structural_similarity(const Grid<float>& reference,
     const int first = static_cast<int>(band) * kBand, end = std::min(first + kBand, windows_y);
     const int needed = end - first + static_cast<int>(down.size()) - 1;
     std::vector<std::vector<double>> filtered(static_cast<std::size_t>(needed));
-    for (int k = 0; k < needed; ++k) filter.fill(first + k, filtered[static_cast<std::size_t>(k)]);
-    std::vector<double> sums;
+    for (int k = 0; k < needed; ++k)
+      along_rows.fill(first + k, filtered[static_cast<std::size_t>(k)]);
+    std::vector<double> sums(kMoments * width);
+    std::vector<const double*> from(down.size());
     for (int row = first; row < end; ++row) {
-      sums.assign(kMoments * width, 0.0);
-      for (std::size_t k = 0; k < down.size(); ++k) {
-        const std::vector<double>& from = filtered[static_cast<std::size_t>(row - first) + k];
-        for (std::size_t w = 0; w < sums.size(); ++w) sums[w] += down[k] * from[w];
+      constexpr std::size_t kPiece = 512;  // that stays in the nearest cache
+      for (std::size_t piece = 0; piece < sums.size(); piece += kPiece) {
+        for (std::size_t k = 0; k < from.size(); ++k)
+          from[k] = &filtered[static_cast<std::size_t>(row - first) + k][piece];
+        weigh(down, from, std::min(kPiece, sums.size() - piece), &sums[piece]);
       }
       Found& found = of_row[static_cast<std::size_t>(row)];
       for (std::size_t w = 0; w < width; ++w) {

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstdlib>
+#include <span>
 
 namespace plumb::compare {
 namespace {
@@ -36,33 +37,76 @@ bool breaks_limit(const ErrorMap& map) {
                      [&](float value) { return double{value} > *map.limit; });
 }
 
+// Bits of positive floats ascend with their values; their upper half names one of these.
+constexpr std::size_t kRanges = 1u << 15;
+
+std::size_t range_of(float value) { return std::bit_cast<std::uint32_t>(value) >> 16; }
+
+// Places of a map's positive values, worst first, some thousand at a time, so that a few of two
+// million are found without all of them sorted.
+class WorstFirst {
+ public:
+  explicit WorstFirst(const std::vector<float>& values) : values_(values), count_of_(kRanges, 0) {
+    for (const float value : values)
+      if (value > 0.0f) ++count_of_[range_of(value)];
+  }
+
+  // The next ones; none if there are no more.
+  std::span<const std::size_t> next() {
+    if (given_ == places_.size()) gather();
+    const auto begin = places_.begin() + static_cast<std::ptrdiff_t>(given_);
+    const std::size_t count = std::min(kSome, places_.size() - given_);
+    std::partial_sort(begin, begin + static_cast<std::ptrdiff_t>(count), places_.end(),
+                      [&](std::size_t a, std::size_t b) {
+                        return values_[a] != values_[b] ? values_[a] > values_[b] : a < b;
+                      });
+    given_ += count;
+    return {begin, count};
+  }
+
+ private:
+  static constexpr std::size_t kSome = 4096;
+
+  // The places of the next ranges.
+  void gather() {
+    std::size_t count = 0, least = end_;
+    while (least > 0 && count < kSome) count += count_of_[--least];
+    places_.clear();
+    places_.reserve(count);
+    given_ = 0;
+    for (std::size_t k = 0; count > 0 && k < values_.size(); ++k) {
+      if (!(values_[k] > 0.0f)) continue;
+      const std::size_t range = range_of(values_[k]);
+      if (range >= least && range < end_) places_.push_back(k);
+    }
+    end_ = least;
+  }
+
+  const std::vector<float>& values_;
+  std::vector<std::size_t> count_of_;  // values of each range
+  std::size_t end_ = kRanges;          // ranges from here on have been gathered
+  std::vector<std::size_t> places_;
+  std::size_t given_ = 0;  // of them
+};
+
 // The places of a map's largest values, none nearer to another than kApart_px.
 std::vector<std::size_t> peaks_of(const ErrorMap& map, int width, std::size_t most) {
-  std::vector<std::size_t> order;
-  for (std::size_t k = 0; k < map.values.size(); ++k) {
-    if (map.values[k] > 0.0f) order.push_back(k);
-  }
-  const auto worse = [&](std::size_t a, std::size_t b) {
-    return map.values[a] != map.values[b] ? map.values[a] > map.values[b] : a < b;
-  };
   std::vector<std::size_t> peaks;
+  if (most == 0) return peaks;
   const auto far_from = [&](std::size_t a, std::size_t b) {
     const auto w = static_cast<std::size_t>(width);
     const auto apart = [](std::size_t p, std::size_t q) { return p > q ? p - q : q - p; };
     return apart(a % w, b % w) >= kApart_px || apart(a / w, b / w) >= kApart_px;
   };
-  // Each round sorts the worst that are left; a round is enough but where one defect fills it.
-  std::size_t begin = 0;
-  while (peaks.size() < most && begin < order.size()) {
-    const std::size_t end = std::min(order.size(), begin + 4096);
-    std::partial_sort(order.begin() + static_cast<std::ptrdiff_t>(begin),
-                      order.begin() + static_cast<std::ptrdiff_t>(end), order.end(), worse);
-    for (std::size_t at = begin; at < end && peaks.size() < most; ++at) {
-      if (std::all_of(peaks.begin(), peaks.end(),
-                      [&](std::size_t peak) { return far_from(peak, order[at]); }))
-        peaks.push_back(order[at]);
+  WorstFirst worst_first(map.values);
+  for (auto places = worst_first.next(); !places.empty(); places = worst_first.next()) {
+    for (const std::size_t place : places) {
+      if (!std::all_of(peaks.begin(), peaks.end(),
+                       [&](std::size_t peak) { return far_from(peak, place); }))
+        continue;
+      peaks.push_back(place);
+      if (peaks.size() == most) return peaks;
     }
-    begin = end;
   }
   return peaks;
 }
