@@ -80,4 +80,12 @@ void add(const std::string& name, Function function, Arguments... arguments) {
       ->MinTime(1.0);
 }
 
+/// Runs what was added; the exit status.
+inline int run(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
+
 }  // namespace plumb::bench

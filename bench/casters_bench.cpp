@@ -136,7 +136,5 @@ int main(int argc, char** argv) {
     add("embree/caster" + view, embree_caster_frame, preset);
     add("embree/caster_proposals_alone" + view, embree_proposals, preset);
   }
-  benchmark::Initialize(&argc, argv);
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
+  return plumb::bench::run(argc, argv);
 }

@@ -100,8 +100,5 @@ void add_all() {
 
 int main(int argc, char** argv) {
   plumb::bench::add_all();
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
+  return plumb::bench::run(argc, argv);
 }

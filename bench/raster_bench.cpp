@@ -80,7 +80,5 @@ int main(int argc, char** argv) {
     add("llvmpipe" + view, mesa_frame, preset);
 #endif
   }
-  benchmark::Initialize(&argc, argv);
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
+  return plumb::bench::run(argc, argv);
 }

@@ -224,9 +224,7 @@ std::string drawn_text(const Cost& cost) {
 std::vector<std::string> write_report(const fs::path& folder, const AuditResult& result,
                                       const AuditSubject& subject, const DrawnSurface& surface,
                                       const HeightfieldTruth& truth) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) input_error("cannot make the folder '{}': {}", folder.string(), error.message());
+  make_folder(folder);
   const std::vector<Shown> pictures = gallery(result, subject, surface, truth);
   const report::Viewer viewer = write_gallery(folder, pictures, result);
   const std::string json = audit_json(result, subject);

@@ -33,15 +33,13 @@ image::Rgb8Image blank(int width, int height) {
   return picture;
 }
 
-image::Rgb8Image converted(report::RgbImage picture) {
+}  // namespace
+
+image::Rgb8Image rgb8_of(report::RgbImage picture) {
   return {picture.width, picture.height, std::move(picture.rgb)};
 }
 
-struct Colour {
-  std::uint8_t r, g, b;
-};
-
-void paint(image::Rgb8Image& picture, int x, int y, Colour colour) {
+void paint(image::Rgb8Image& picture, int x, int y, report::Rgb colour) {
   if (x < 0 || y < 0 || x >= picture.width_px || y >= picture.height_px) return;
   const std::size_t at =
       3 * (static_cast<std::size_t>(y) * picture.width_px + static_cast<std::size_t>(x));
@@ -49,8 +47,6 @@ void paint(image::Rgb8Image& picture, int x, int y, Colour colour) {
   picture.rgb[at + 1] = colour.g;
   picture.rgb[at + 2] = colour.b;
 }
-
-}  // namespace
 
 image::Rgb8Image truth_picture(const AuditResult& result, const HeightfieldTruth& truth,
                                const Camera& camera) {
@@ -94,9 +90,9 @@ image::Rgb8Image coverage_picture(const AuditResult& result) {
     for (int x = 0; x < picture.width_px; ++x) {
       const DefectKind kind = coverage.defects[result.drawn.index(x, y)];
       if (kind == DefectKind::None) continue;
-      const Colour colour = kind == DefectKind::Hole        ? Colour{230, 30, 30}
-                            : kind == DefectKind::Overshoot ? Colour{220, 40, 220}
-                                                            : Colour{255, 150, 0};
+      const report::Rgb colour = kind == DefectKind::Hole        ? report::Rgb{230, 30, 30}
+                                 : kind == DefectKind::Overshoot ? report::Rgb{220, 40, 220}
+                                                                 : report::Rgb{255, 150, 0};
       for (int b = -1; b <= 1; ++b) {
         for (int a = -1; a <= 1; ++a) paint(picture, x + a, y + b, colour);
       }
@@ -117,8 +113,8 @@ image::Rgb8Image triangles_picture(const AuditResult& result, const DrawnSurface
   report::HeatMapOptions options;
   options.unit = "levels";
   image::Rgb8Image picture =
-      converted(report::heat_picture(drawn.width_px, drawn.height_px, levels, options));
-  constexpr Colour kOutline{15, 15, 20};
+      rgb8_of(report::heat_picture(drawn.width_px, drawn.height_px, levels, options));
+  constexpr report::Rgb kOutline{15, 15, 20};
   for (int y = 0; y < drawn.height_px; ++y) {
     for (int x = 0; x < drawn.width_px; ++x) {
       const std::uint32_t here = drawn.primitive[drawn.index(x, y)];
@@ -135,13 +131,13 @@ namespace {
 // As people can tell them apart, those with weak red and green sight too (Okabe and Ito's).
 struct Named {
   const char* name;
-  Colour colour;
+  report::Rgb colour;
 };
 constexpr Named kKindColours[DrawnSurface::kMostKinds] = {
     {"grey", {150, 150, 150}}, {"blue", {0, 114, 178}},     {"orange", {230, 159, 0}},
     {"green", {0, 158, 115}},  {"purple", {204, 121, 167}}, {"yellow", {240, 228, 66}}};
 
-Colour darker(Colour c) {
+report::Rgb darker(report::Rgb c) {
   return {static_cast<std::uint8_t>(c.r / 2), static_cast<std::uint8_t>(c.g / 2),
           static_cast<std::uint8_t>(c.b / 2)};
 }
@@ -162,7 +158,7 @@ image::Rgb8Image kinds_picture(const AuditResult& result, const DrawnSurface& su
         paint(picture, x, y, {235, 235, 235});
         continue;
       }
-      const Colour colour =
+      const report::Rgb colour =
           kKindColours[surface.patches[static_cast<std::size_t>(patch)].kind].colour;
       const bool outline =
           (x > 0 && patch_at(x - 1, y) != patch) || (y > 0 && patch_at(x, y - 1) != patch);
@@ -210,9 +206,9 @@ ErrorMap error_map(const AuditResult& result, const std::vector<float>& errors_p
   const int width = result.drawn.width_px, height = result.drawn.height_px;
   report::HeatMapOptions of_page = options;
   of_page.text_scale = report::kPageLegendTextScale;
-  return {converted(report::heat_picture(width, height, values, options)),
-          converted(report::heat_legend(report::kPageLegendWidthPx, values, of_page)),
-          converted(report::heat_map(width, height, values, options))};
+  return {rgb8_of(report::heat_picture(width, height, values, options)),
+          rgb8_of(report::heat_legend(report::kPageLegendWidthPx, values, of_page)),
+          rgb8_of(report::heat_map(width, height, values, options))};
 }
 
 }  // namespace plumb::audit

@@ -31,6 +31,11 @@ image::Rgb8Image triangles_picture(const AuditResult& result, const DrawnSurface
 image::Rgb8Image kinds_picture(const AuditResult& result, const DrawnSurface& surface);
 std::string kinds_legend(const DrawnSurface& surface);
 
+/// A report's picture as one that can be written.
+image::Rgb8Image rgb8_of(report::RgbImage picture);
+/// Pixels outside the picture are left out.
+void paint(image::Rgb8Image& picture, int x, int y, report::Rgb colour);
+
 /// Pictures of one height next to each other, a few white pixels apart.
 image::Rgb8Image side_by_side(const std::vector<image::Rgb8Image>& pictures);
 

@@ -1,63 +1,26 @@
 #include "audit/depth_fit.h"
 
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "audit/coarse_truth.h"
 #include "audit/depth_readings.h"
+#include "audit/depth_samples.h"
 #include "audit/plan_fit.h"
-#include "core/parallel.h"
-#include "core/screen_error.h"
 
 namespace plumb::audit {
 namespace {
 
-constexpr int kMostSamples = 4096;  // pixels looked at
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr glm::dvec3 kUp{0.0, 0.0, 1.0};
 // A frame of which less than this share shows terrain, or should, is too little to be refused.
 constexpr double kLeastShare = 1.0 / 16.0;
 constexpr double kFewPixels = 16.0;     // that show terrain; fewer explain nothing
 constexpr double kNoDifference = 1e-6;  // single precision leaves as much
 constexpr double kLeastFactor = 0.01;   // of heights: a level plane explains nothing
 constexpr double kPromised = 0.9;       // of a frame that keeps to the tolerance as it was meant
-
-struct Pixel {
-  int x = 0, y = 0;
-};
-
-// How a reading's depths differ from the truth's; of pixels in which either shows terrain.
-struct Difference {
-  double mean = 0.0;
-  std::int64_t pixels = 0;
-};
-
-// A pixel's depth as it was read, none for what is no depth.
-using Ranges = std::vector<std::optional<DepthRange>>;
-
-bool shows(const std::optional<DepthRange>& range) { return !range || !range->is_sky(); }
-
-double difference(const std::optional<DepthRange>& range, double true_depth) {
-  if (!range) return 1.0;
-  if (range->low <= true_depth && true_depth <= range->high) return 0.0;
-  if (range->is_sky() || !(true_depth < kInfinity)) return 1.0;
-  const double depth = true_depth < range->low ? range->low : range->high;
-  return std::abs(depth - true_depth) / std::max(depth, true_depth);
-}
-
-Difference difference_of(const Ranges& ranges, const std::vector<double>& true_depths) {
-  Difference all;
-  for (std::size_t k = 0; k < ranges.size(); ++k) {
-    if (!shows(ranges[k]) && !(true_depths[k] < kInfinity)) continue;
-    all.mean += difference(ranges[k], true_depths[k]);
-    ++all.pixels;
-  }
-  if (all.pixels > 0) all.mean /= static_cast<double>(all.pixels);
-  return all;
-}
 
 // What explains the frame best so far.
 struct Choice {
@@ -73,27 +36,17 @@ class FrameFit {
            const image::DepthBuffer& buffer, const DepthMeaning& meaning, const Camera& camera,
            const Tolerance& tolerance)
       : truth_(truth),
-        buffer_(buffer),
         stated_{meaning, camera, camera},
-        local_(relative_to(camera, truth.field().world_origin_m())),
-        tolerance_(tolerance) {
-    const double all = static_cast<double>(camera.width_px) * camera.height_px;
-    const int step = std::max(1, static_cast<int>(std::ceil(std::sqrt(all / kMostSamples))));
-    for (int y = std::min(step, camera.height_px) / 2; y < camera.height_px; y += step) {
-      for (int x = std::min(step, camera.width_px) / 2; x < camera.width_px; x += step) {
-        pixels_.push_back({x, y});
-        true_depths_.push_back(true_hits.depth_m[true_hits.index(x, y)]);
-      }
-    }
-    ranges_ = ranges_of(stated_);
-    before_ = difference_of(ranges_, true_depths_);
-  }
+        tolerance_(tolerance),
+        samples_(truth, true_hits, buffer, camera),
+        ranges_(samples_.ranges_of(stated_)),
+        before_(difference_of(ranges_, samples_.true_depths())) {}
 
   std::optional<Misfit> misfit() {
     if (before_.pixels == 0 || before_.mean == 0.0) return std::nullopt;
-    points_ = points_of(ranges_);
+    points_ = samples_.points_of(ranges_);
     fit_ = plan_fit(truth_, points_);
-    within_ = share_within(ranges_);
+    within_ = samples_.share_within(ranges_, tolerance_);
     coarsest_ = coarsest_misfit();
     look_at_readings();
     const bool most_is_within = within_ >= 0.5;
@@ -110,62 +63,6 @@ class FrameFit {
   }
 
  private:
-  Ranges ranges_of(const DepthReading& reading) const {
-    Ranges ranges(pixels_.size());
-    for (std::size_t k = 0; k < pixels_.size(); ++k)
-      ranges[k] =
-          depth_range_at(buffer_, reading.meaning, reading.camera, pixels_[k].x, pixels_[k].y);
-    return ranges;
-  }
-
-  std::vector<double> depths_through(const Camera& camera) const {
-    return camera == stated_.camera ? true_depths_ : depths_of(truth_, camera);
-  }
-
-  std::vector<double> depths_of(const HeightfieldTruth& truth, const Camera& camera) const {
-    std::vector<double> depths(pixels_.size());
-    parallel_for(static_cast<std::int64_t>(pixels_.size()), 256, [&](std::int64_t k) {
-      const Pixel& pixel = pixels_[static_cast<std::size_t>(k)];
-      const reference::RayHit hit =
-          truth.caster.cast(truth.caster.camera_ray(camera, pixel.x + 0.5, pixel.y + 0.5));
-      depths[static_cast<std::size_t>(k)] = hit ? hit.t : kInfinity;
-    });
-    return depths;
-  }
-
-  std::vector<glm::dvec3> points_of(const Ranges& ranges) const {
-    std::vector<glm::dvec3> points;
-    for (std::size_t k = 0; k < pixels_.size(); ++k) {
-      if (!ranges[k] || ranges[k]->is_sky()) continue;
-      points.push_back(local_.eye_m + ranges[k]->value * ray_direction(local_, pixels_[k].x + 0.5,
-                                                                       pixels_[k].y + 0.5));
-    }
-    return points;
-  }
-
-  // Of the pixels in which either shows terrain, those that keep to the tolerance.
-  double share_within(const Ranges& ranges) const {
-    std::int64_t kept = 0, all = 0;
-    for (std::size_t k = 0; k < pixels_.size(); ++k) {
-      if (!shows(ranges[k]) && !(true_depths_[k] < kInfinity)) continue;
-      ++all;
-      const double off = difference(ranges[k], true_depths_[k]);
-      kept += off == 0.0 || (off < 1.0 && is_within(*ranges[k], k));
-    }
-    return static_cast<double>(kept) / std::max<double>(1.0, static_cast<double>(all));
-  }
-
-  bool is_within(const DepthRange& range, std::size_t k) const {
-    const double depth = true_depths_[k] < range.low ? range.low : range.high;
-    const glm::dvec3 point =
-        local_.eye_m + depth * ray_direction(local_, pixels_[k].x + 0.5, pixels_[k].y + 0.5);
-    const double off = truth_.height_at(point.x, point.y) - point.z;
-    if (std::isnan(off)) return false;
-    return tolerance_.unit == Unit::Metre
-               ? std::abs(off) <= tolerance_.value
-               : screen_displacement_px(local_, point, kUp, off) <= tolerance_.value;
-  }
-
   // How many times smaller a reading's misfit must be.
   double needed_for(const DepthReading& reading) const {
     const bool is_fitted =
@@ -175,7 +72,8 @@ class FrameFit {
         !is_fitted && reading.camera == stated_.camera && reading.seen_by == stated_.camera;
     if (!of_numbers) return kFarBetter;
     const bool is_what_was_promised =
-        within_ < 0.5 && share_within(ranges_of(reading)) >= kPromised;
+        within_ < 0.5 &&
+        samples_.share_within(samples_.ranges_of(reading), tolerance_) >= kPromised;
     return is_what_was_promised ? 1.0 : kFarBetterNumbers;
   }
 
@@ -190,12 +88,11 @@ class FrameFit {
 
   void try_reading(const DepthReading& reading) {
     if (best_.mean == 0.0) return;  // none is better
-    const Difference now = difference_of(ranges_of(reading), depths_through(reading.seen_by));
+    const DepthDifference now =
+        difference_of(samples_.ranges_of(reading), samples_.depths_through(reading.seen_by));
     // A reading in which next to nothing is seen explains nothing.
-    const auto true_pixels = std::count_if(true_depths_.begin(), true_depths_.end(),
-                                           [](double depth) { return depth < kInfinity; });
     const auto seen =
-        std::min(static_cast<double>(points_.size()), static_cast<double>(true_pixels));
+        std::min(static_cast<double>(points_.size()), static_cast<double>(samples_.true_pixels()));
     if (static_cast<double>(now.pixels) < std::max(kFewPixels, 0.5 * seen)) return;
     offer(reading, now.mean);
   }
@@ -222,11 +119,11 @@ class FrameFit {
     DepthReading reading = stated_;
     reading.meaning.convention = convention;
     reading.plainness = Plainness::Fitted;
-    const Ranges ranges = ranges_of(reading);
+    const DepthRanges ranges = samples_.ranges_of(reading);
     std::vector<double> factors;
-    for (std::size_t k = 0; k < pixels_.size(); ++k) {
-      if (ranges[k] && !ranges[k]->is_sky() && true_depths_[k] < kInfinity)
-        factors.push_back(true_depths_[k] / ranges[k]->value);
+    for (std::size_t k = 0; k < samples_.size(); ++k) {
+      if (ranges[k] && !ranges[k]->is_sky() && samples_.true_depths()[k] < kInfinity)
+        factors.push_back(samples_.true_depths()[k] / ranges[k]->value);
     }
     if (static_cast<double>(factors.size()) < kFewPixels) return;
     const double unit = reading.meaning.metres_per_unit * middle_of(std::move(factors));
@@ -243,10 +140,10 @@ class FrameFit {
     DepthReading reading = stated_;
     if (other_rows) reading.meaning.rows_from_bottom = !reading.meaning.rows_from_bottom;
     std::vector<StoredDepth> stored;
-    for (std::size_t k = 0; k < pixels_.size(); ++k) {
-      const float number =
-          buffer_.values[stored_index(buffer_, reading.meaning, pixels_[k].x, pixels_[k].y)];
-      if (true_depths_[k] < kInfinity) stored.push_back({number, true_depths_[k]});
+    for (std::size_t k = 0; k < samples_.size(); ++k) {
+      const float number = samples_.number_at(k, reading.meaning);
+      if (samples_.true_depths()[k] < kInfinity)
+        stored.push_back({number, samples_.true_depths()[k]});
     }
     if (const auto fitted = reading_of_planes(reading, stored)) try_reading(*fitted);
   }
@@ -278,57 +175,41 @@ class FrameFit {
 
   // Farther from the truth than its own levels of detail through the same camera.
   bool is_stranger() const {
-    const auto all = static_cast<double>(pixels_.size());
+    const auto all = static_cast<double>(samples_.size());
     if (static_cast<double>(before_.pixels) < std::max(kFewPixels, kLeastShare * all)) return false;
-    return points_.empty() || drawn_difference(ranges_) > coarsest_;
-  }
-
-  // Of the pixels that show something: what is missing may be holes.
-  double drawn_difference(const Ranges& ranges) const {
-    Difference drawn;
-    for (std::size_t k = 0; k < pixels_.size(); ++k) {
-      if (!shows(ranges[k])) continue;
-      drawn.mean += difference(ranges[k], true_depths_[k]);
-      ++drawn.pixels;
-    }
-    return drawn.pixels > 0 ? drawn.mean / static_cast<double>(drawn.pixels) : 0.0;
+    return points_.empty() || samples_.drawn_difference(ranges_) > coarsest_;
   }
 
   // The largest misfit of the terrain's own levels of detail through the stated camera.
   double coarsest_misfit() const {
     double coarsest = 0.0;
     for (const auto& coarse : coarse_truths(truth_)) {
-      Ranges ranges;
-      for (const double depth : depths_of(coarse->truth, stated_.camera))
+      DepthRanges ranges;
+      for (const double depth : samples_.depths_of(coarse->truth, stated_.camera))
         ranges.push_back(DepthRange{depth, depth, depth});
-      coarsest = std::max(coarsest, drawn_difference(ranges));
+      coarsest = std::max(coarsest, samples_.drawn_difference(ranges));
     }
     return coarsest;
   }
 
   std::string stranger_text() const {
-    const double all = static_cast<double>(pixels_.size());
-    std::int64_t true_pixels = 0;
-    for (const double depth : true_depths_) true_pixels += depth < kInfinity;
+    const double all = static_cast<double>(samples_.size());
     return fmt::format(
         "nothing that is known to go wrong explains the frame, so it is of another camera or "
         "another terrain: it shows something in {:.3g} % of its pixels, the truth in {:.3g} %; "
         "{:.2g} % of these keep to {}; depths are off by {:.2g} % in the mean, those of every {}th "
         "sample of the terrain would be by {:.2g} %",
         100.0 * static_cast<double>(fit_.points) / all,
-        100.0 * static_cast<double>(true_pixels) / all, 100.0 * within_, to_text(tolerance_),
-        100.0 * before_.mean, kCoarsestStride, 100.0 * coarsest_);
+        100.0 * static_cast<double>(samples_.true_pixels()) / all, 100.0 * within_,
+        to_text(tolerance_), 100.0 * before_.mean, kCoarsestStride, 100.0 * coarsest_);
   }
 
   const HeightfieldTruth& truth_;
-  const image::DepthBuffer& buffer_;
   DepthReading stated_;
-  Camera local_;
   Tolerance tolerance_;
-  std::vector<Pixel> pixels_;
-  std::vector<double> true_depths_;
-  Ranges ranges_;
-  Difference before_;
+  DepthSamples samples_;
+  DepthRanges ranges_;  // by the stated reading
+  DepthDifference before_;
   std::vector<glm::dvec3> points_;
   PlanFit fit_;
   Choice best_;

@@ -13,7 +13,6 @@
 #include "audit/mesh_placing.h"
 #include "audit/plan_fit.h"
 #include "core/parallel.h"
-#include "core/screen_error.h"
 
 namespace plumb::audit {
 namespace {
@@ -23,7 +22,6 @@ constexpr std::size_t kFewVertices = 256;    // of them, to choose among placing
 constexpr double kLeastArea = 0.01;          // of the terrain's
 constexpr double kLeastOver = 0.9;           // of the vertices
 constexpr double kLikeTerrain = 0.25;        // of what a level plane is off by
-constexpr glm::dvec3 kUp{0.0, 0.0, 1.0};
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Box box_of(const std::vector<glm::dvec3>& points) {
@@ -246,11 +244,7 @@ class MeshFit {
 
   std::int64_t count_within(const std::vector<glm::dvec3>& points) const {
     return std::count_if(points.begin(), points.end(), [&](const glm::dvec3& p) {
-      const double off = height_near(p) - p.z;
-      if (std::isnan(off)) return false;
-      return tolerance_.unit == Unit::Metre
-                 ? std::abs(off) <= tolerance_.value
-                 : screen_displacement_px(local_, p, kUp, off) <= tolerance_.value;
+      return keeps_to(tolerance_, local_, p, height_near(p) - p.z);
     });
   }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/screen_error.h"
+
 namespace plumb::audit {
 namespace {
 
@@ -88,6 +90,15 @@ PlanFit plan_fit(const HeightfieldTruth& truth, std::span<const glm::dvec3> poin
   fit.relief_m = mean_size(pairs.h, middle_of(pairs.h));
   fit_line(pairs, fit);
   return fit;
+}
+
+bool keeps_to(const Tolerance& tolerance, const Camera& local, const glm::dvec3& point_m,
+              double off_m) {
+  if (std::isnan(off_m)) return false;
+  constexpr glm::dvec3 kUp{0.0, 0.0, 1.0};
+  return tolerance.unit == Unit::Metre
+             ? std::abs(off_m) <= tolerance.value
+             : screen_displacement_px(local, point_m, kUp, off_m) <= tolerance.value;
 }
 
 }  // namespace plumb::audit

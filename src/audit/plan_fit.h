@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "audit/truth.h"
+#include "core/camera.h"
+#include "core/claim.h"
 
 namespace plumb::audit {
 
@@ -28,6 +30,11 @@ struct PlanFit {
 
 /// points  relative to the terrain's origin
 PlanFit plan_fit(const HeightfieldTruth& truth, std::span<const glm::dvec3> points);
+
+/// Whether a point that stands `off_m` off the terrain keeps to a tolerance, in metres or as wide
+/// as it looks from a camera (both relative to the terrain's origin); NaN, beside it, does not.
+bool keeps_to(const Tolerance& tolerance, const Camera& local, const glm::dvec3& point_m,
+              double off_m);
 
 /// Fewer points over the terrain say nothing.
 inline constexpr std::int64_t kFewestPoints = 16;

@@ -117,4 +117,10 @@ void write_file_atomically(const fs::path& path, std::string_view bytes) {
   sibling.commit();
 }
 
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) input_error("cannot make the folder '{}': {}", folder.string(), error.message());
+}
+
 }  // namespace plumb

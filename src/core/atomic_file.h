@@ -1,4 +1,4 @@
-// Files that appear whole under their name, or not at all.
+// Files that appear whole under their name, or not at all, and the folders they lie in.
 #pragma once
 
 #include <filesystem>
@@ -42,5 +42,9 @@ void remove_temporary_files_on_interrupt();
 /// Writes `bytes` as the whole file `path`. Throws InputError with path and cause; no partial file
 /// is left.
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
+
+/// Makes a folder and those above it, unless it stands there. Throws InputError with its name and
+/// the cause.
+void make_folder(const std::filesystem::path& folder);
 
 }  // namespace plumb

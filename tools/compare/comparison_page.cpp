@@ -26,12 +26,6 @@ namespace fs = std::filesystem;
 constexpr const char* kViewerId = "pictures";
 constexpr int kHistogramBins = 64;
 
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) input_error("cannot make the folder '{}': {}", folder.string(), error.message());
-}
-
 std::vector<std::uint8_t> png_of(const image::Rgb8Image& picture) {
   if (picture.rgb.empty()) return {};
   const std::string bytes = image::png_bytes(picture);

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "audit/audit_pictures.h"
 #include "compare/display_pictures.h"
 #include "core/check.h"
 #include "core/parallel.h"
@@ -15,23 +16,10 @@
 namespace plumb::compare {
 namespace {
 
-image::Rgb8Image converted(report::RgbImage picture) {
-  return {picture.width, picture.height, std::move(picture.rgb)};
-}
-
 image::Rgb8Image blank(int width_px, int height_px, std::uint8_t grey) {
   return {width_px, height_px,
           std::vector<std::uint8_t>(
               3 * static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px), grey)};
-}
-
-void paint(image::Rgb8Image& picture, int x, int y, report::Rgb colour) {
-  if (x < 0 || y < 0 || x >= picture.width_px || y >= picture.height_px) return;
-  const std::size_t at =
-      3 * (static_cast<std::size_t>(y) * picture.width_px + static_cast<std::size_t>(x));
-  picture.rgb[at] = colour.r;
-  picture.rgb[at + 1] = colour.g;
-  picture.rgb[at + 2] = colour.b;
 }
 
 // "colour difference" as a file: "colour-difference.png"; another name if that one is taken.
@@ -60,8 +48,8 @@ ReportPicture map_picture(const PicturePair& pair, const ErrorMap& map, std::str
   options.limit = map.limit;
   options.text_scale = report::kPageLegendTextScale;
   return {std::move(file), map.name, map.meaning,
-          converted(report::heat_picture(pair.width_px(), pair.height_px(), values, options)),
-          converted(report::heat_legend(report::kPageLegendWidthPx, values, options))};
+          audit::rgb8_of(report::heat_picture(pair.width_px(), pair.height_px(), values, options)),
+          audit::rgb8_of(report::heat_legend(report::kPageLegendWidthPx, values, options))};
 }
 
 }  // namespace
@@ -82,7 +70,7 @@ image::Rgb8Image coverage_picture(const PicturePair& pair, const CoverageErrors&
     const report::Rgb colour =
         (*terrain)[k] != 0 ? report::Rgb{230, 30, 30} : report::Rgb{220, 40, 220};
     for (int b = -1; b <= 1; ++b) {
-      for (int a = -1; a <= 1; ++a) paint(picture, x + a, y + b, colour);
+      for (int a = -1; a <= 1; ++a) audit::paint(picture, x + a, y + b, colour);
     }
   }
   return picture;
@@ -95,8 +83,8 @@ image::Rgb8Image mask_picture(const PicturePair& pair, const image::Rgb8Image& c
       const std::size_t k =
           static_cast<std::size_t>(y) * picture.width_px + static_cast<std::size_t>(x);
       if (pair.judged(k)) continue;
-      paint(picture, x, y,
-            (x + y) / 3 % 2 == 0 ? report::Rgb{255, 200, 0} : report::Rgb{40, 40, 40});
+      audit::paint(picture, x, y,
+                   (x + y) / 3 % 2 == 0 ? report::Rgb{255, 200, 0} : report::Rgb{40, 40, 40});
     }
   }
   return picture;

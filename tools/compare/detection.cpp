@@ -12,7 +12,8 @@
 namespace plumb::compare {
 namespace {
 
-std::string name_of(Systematic kind) {
+// Systematic differences by what they are of.
+std::string group_of(Systematic kind) {
   switch (kind) {
     case Systematic::Shift:
       return "named: shift";
@@ -35,10 +36,11 @@ std::string name_of(Systematic kind) {
   return "named";
 }
 
-void count(const Comparison& comparison, DetectionRow& row) {
+void count(const Comparison& comparison, const std::string& where, DetectionRow& row) {
   ++row.pictures;
   row.failed += !comparison.passes();
-  if (!comparison.systematic.empty()) ++row.caught_by[name_of(comparison.systematic.front().kind)];
+  if (comparison.passes() != row.kind->harmless) row.wrong.push_back(where);
+  if (!comparison.systematic.empty()) ++row.caught_by[group_of(comparison.systematic.front().kind)];
   if (comparison.numbers.unlike > 0) ++row.caught_by["numbers that are not finite"];
   for (const Judgement& each : comparison.judgements) {
     if (!each.holds) ++row.caught_by[each.measured.name()];
@@ -62,11 +64,12 @@ DetectionTable empty_detection_table(bool with_others) {
     for (const OtherRule& rule : other_rules()) table.others.emplace_back(rule.name);
   }
   for (const DefectKind& kind : defect_kinds())
-    table.rows.push_back({&kind, 0, 0, {}, std::vector<int>(table.others.size(), 0)});
+    table.rows.push_back({&kind, 0, 0, {}, std::vector<int>(table.others.size(), 0), {}});
   return table;
 }
 
-void DetectionTable::judge(const std::vector<HarmedPicture>& pictures, const Profile& profile) {
+void DetectionTable::judge(const std::vector<HarmedPicture>& pictures, const Profile& profile,
+                           const std::string& where) {
   for (const HarmedPicture& each : pictures) {
     const auto row = std::find_if(rows.begin(), rows.end(), [&](const DetectionRow& candidate) {
       return candidate.kind == each.kind;
@@ -74,7 +77,7 @@ void DetectionTable::judge(const std::vector<HarmedPicture>& pictures, const Pro
     const PicturePair pair{"reference", each.kind->name, each.reference, each.picture};
     count(compare_pictures(pair, profile,
                            {.most_listed = 0, .with_maps = false, .everything = false}),
-          *row);
+          where, *row);
     if (others.empty()) continue;
     const std::vector<OtherVerdict> verdicts =
         judge_by(other_rules(), bytes_of(each.reference), bytes_of(each.picture));
@@ -100,7 +103,8 @@ DetectionTable detection_power(const Profile& profile, const DetectionOptions& o
       PlantedSceneOptions scene = options.scene;
       scene.terrain = terrain;
       scene.seed = static_cast<std::uint64_t>(seed);
-      table.judge(harmed_pictures(PlantedScene(scene), scene.seed, options.channels), profile);
+      table.judge(harmed_pictures(PlantedScene(scene), scene.seed, options.channels), profile,
+                  fmt::format("{}, seed {}", terrain, seed));
     }
   }
   return table;

@@ -51,6 +51,7 @@ struct DetectionRow {
   int failed = 0;                        // by the profile
   std::map<std::string, int> caught_by;  // check, and how often it was broken
   std::vector<int> failed_by_others;     // as DetectionTable::others
+  std::vector<std::string> wrong;        // where the verdict was not the wanted one
 
   double rate() const { return pictures > 0 ? static_cast<double>(failed) / pictures : 0.0; }
   /// A harmless one never failed, a defect always did.
@@ -63,8 +64,10 @@ struct DetectionTable {
   std::vector<std::string> others;  // names of other_rules(); empty where they are not judged
   std::vector<DetectionRow> rows;   // in the order of defect_kinds()
 
-  /// Adds pictures to the rows of their kinds.
-  void judge(const std::vector<HarmedPicture>& pictures, const Profile& profile);
+  /// Adds pictures to the rows of their kinds; `where` names the scene or picture ("alpine, seed
+  /// 3").
+  void judge(const std::vector<HarmedPicture>& pictures, const Profile& profile,
+             const std::string& where);
   bool as_wanted() const;
 };
 

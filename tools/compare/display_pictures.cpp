@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "audit/audit_pictures.h"
 #include "core/check.h"
 #include "core/parallel.h"
 #include "report/heat_map.h"
@@ -20,10 +21,6 @@ namespace {
 constexpr report::Rgb kSkyColour{196, 204, 214};
 
 using Channels = std::array<std::vector<float>, 3>;
-
-image::Rgb8Image converted(report::RgbImage picture) {
-  return {picture.width, picture.height, std::move(picture.rgb)};
-}
 
 std::uint8_t code_of(float display) {
   if (!(display > 0.0f)) return 0;
@@ -118,11 +115,12 @@ DisplayPair heat_pair(const PicturePair& pair, const std::string& name, const Ra
     return std::vector<double>(values.begin(), values.end());
   };
   const std::vector<double> reference = values_of(pair.reference);
-  return {converted(report::heat_picture(pair.width_px(), pair.height_px(), reference, options)),
-          converted(report::heat_picture(pair.width_px(), pair.height_px(),
-                                         values_of(pair.candidate), options)),
-          fmt::format("Channel {}, both pictures on one scale.", name),
-          converted(report::heat_legend(report::kPageLegendWidthPx, reference, options))};
+  return {
+      audit::rgb8_of(report::heat_picture(pair.width_px(), pair.height_px(), reference, options)),
+      audit::rgb8_of(report::heat_picture(pair.width_px(), pair.height_px(),
+                                          values_of(pair.candidate), options)),
+      fmt::format("Channel {}, both pictures on one scale.", name),
+      audit::rgb8_of(report::heat_legend(report::kPageLegendWidthPx, reference, options))};
 }
 
 double largest_difference(const PicturePair& pair, const Channels& a, const Channels& b) {

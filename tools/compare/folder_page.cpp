@@ -77,9 +77,7 @@ std::string page_of(const FolderComparison& folders, const std::string& command,
 std::vector<std::string> write_folder_report(const std::filesystem::path& folder,
                                              const FolderComparison& folders,
                                              const std::string& command) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) input_error("cannot make the folder '{}': {}", folder.string(), error.message());
+  make_folder(folder);
   const std::string json = folder_json(folders, command);
   write_file_atomically(folder / "comparison.json", json);
   write_file_atomically(folder / "index.html", page_of(folders, command, json));

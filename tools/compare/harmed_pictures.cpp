@@ -1,4 +1,8 @@
 // One picture of each kind of defect.
+#include <stdexcept>
+#include <string>
+#include <utility>
+
 #include "compare/detection.h"
 #include "compare/planted_defects.h"
 #include "core/reproducible_math.h"
@@ -15,7 +19,7 @@ const DefectKind& kind_named(const std::string& name) {
   for (const DefectKind& kind : defect_kinds()) {
     if (name == kind.name) return kind;
   }
-  return defect_kinds().front();
+  throw std::logic_error("no kind of defect is called " + name);
 }
 
 // Collects pictures of one reference.
@@ -26,11 +30,11 @@ class Harm {
     reference_ = channels == Channels::All ? reference : colours_alone(reference);
   }
 
-  void add(const char* name, const PlaneImage& picture) {
+  void add(const std::string& name, const PlaneImage& picture) {
     add_shown(name, channels_ == Channels::All ? picture : colours_alone(picture));
   }
   // Harm that is done to what is compared, not to what is drawn.
-  void add_shown(const char* name, PlaneImage picture) {
+  void add_shown(const std::string& name, PlaneImage picture) {
     pictures_.push_back({&kind_named(name), reference_, std::move(picture)});
   }
 
@@ -42,9 +46,7 @@ class Harm {
   }
   void add_of_pictures() {
     for (const int width : {1, 2, 3})
-      add(width == 1   ? "crack-1px"
-          : width == 2 ? "crack-2px"
-                       : "crack-3px",
+      add("crack-" + std::to_string(width) + "px",
           with_crack(all_, width, kCrackLength_px, places_));
     add("pinholes", with_pinholes(all_, kPinholes, places_));
     add("missing-tile", with_missing_tile(all_, kTile_px, places_));

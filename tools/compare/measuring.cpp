@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/parallel.h"
+#include "audit/distribution.h"
 
 namespace plumb::compare {
 
@@ -90,10 +90,7 @@ Spread spread_of(std::span<const float> values) {
   spread.count = finite.size();
   if (finite.empty()) return spread;
   spread.mean = sum / static_cast<double>(finite.size());
-  const std::size_t rank = (99 * finite.size() + 99) / 100;  // the least with 99 % at or below
-  const auto at = finite.begin() + static_cast<std::ptrdiff_t>(rank - 1);
-  std::nth_element(finite.begin(), at, finite.end());
-  spread.p99 = double{*at};
+  spread.p99 = audit::distribution_of(finite).p99;
   return spread;
 }
 

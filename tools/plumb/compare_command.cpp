@@ -30,6 +30,7 @@ struct CompareCommandOptions {
   std::string profile = "default";
   std::string mask, output, junit;
   bool calibrate = false;
+  bool detection = false;
   int seeds = 10;
   bool with_others = false;
   bool fast = false;
@@ -138,9 +139,11 @@ int compare_folders(const CompareCommandOptions& options, const compare::Profile
 int run_compare(const CompareCommandOptions& options, const Invocation& invocation) {
   const ThreadLimit limit(options.threads);
   const compare::Profile profile = compare::find_profile(options.profile);
-  if (options.calibrate) {
-    return run_detection({options.reference, options.candidate, options.output, options.seeds,
-                          options.with_others, options.json},
+  if (options.calibrate && options.detection)
+    input_error("--calibrate proposes limits, --detection takes a profile as it is: not both");
+  if (options.calibrate || options.detection) {
+    return run_detection({options.calibrate, options.reference, options.candidate, options.output,
+                          options.seeds, options.with_others, options.json},
                          profile, invocation);
   }
   if (options.candidate.empty())
@@ -185,6 +188,9 @@ Command compare_command() {
     options.flag(values->calibrate, "--calibrate",
                  "Propose the tightest profile that passes REFERENCE and CANDIDATE (which should "
                  "pass; none: generated scenes), and tell which planted defects it catches");
+    options.flag(values->detection, "--detection",
+                 "Tell which planted defects the profile catches as it is, in a REFERENCE picture "
+                 "or in generated scenes");
     options.integer(values->seeds, "--seeds", "N",
                     "How many times each defect is planted in each scene (10)", 1, 10000);
     options.flag(values->with_others, "--with-others", "Judge by other projects' rules as well");

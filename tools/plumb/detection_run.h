@@ -1,4 +1,5 @@
-// plumb compare --calibrate: limits from pairs that should pass, and what they would catch.
+// plumb compare --calibrate: limits from pairs that should pass, and what they would catch;
+// --detection: what a profile catches as it is.
 #pragma once
 
 #include <string>
@@ -9,6 +10,7 @@
 namespace plumb::tool {
 
 struct DetectionRun {
+  bool calibrate = true;  // else --detection
   std::string reference,
       candidate;       // pictures or folders that should pass; empty: generated scenes
   std::string output;  // the profile's file; empty: none
@@ -17,8 +19,9 @@ struct DetectionRun {
   bool json = false;
 };
 
-/// Prints the proposed limits and the table of what they catch. Exit status 0; 1 if they let a
-/// defect pass or fail what is harmless, or a pair cannot be passed by any limit.
+/// Prints the proposed limits, if there are any, and the table of what the profile catches. Exit
+/// status 0; 1 if they let a defect pass or fail what is harmless, or a pair cannot be passed by
+/// any limit.
 int run_detection(const DetectionRun& run, const compare::Profile& base,
                   const Invocation& invocation);
 

@@ -3,6 +3,7 @@
 
 #include "audit/picture.h"
 #include "compare/comparison_page.h"
+#include "core/atomic_file.h"
 #include "core/check.h"
 #include "golden_picture.h"
 #include "golden_text.h"

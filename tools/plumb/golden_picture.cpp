@@ -39,12 +39,6 @@ std::string painter_text(const audit::Scene& scene) {
                                                 : scene.method + ", " + to_text(scene.tolerance);
 }
 
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) input_error("cannot make the folder '{}': {}", folder.string(), error.message());
-}
-
 void copy_whole(const fs::path& from, const fs::path& to) {
   write_file_atomically(to, audit::read_text_file(from.string(), "picture"));
 }

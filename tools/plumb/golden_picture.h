@@ -44,7 +44,6 @@ bool is_preview(const std::filesystem::path& png, const image::AovImage& picture
 /// A file's bytes under another name, whole or not at all. Throws InputError.
 void copy_whole(const std::filesystem::path& from, const std::filesystem::path& to);
 /// Throws InputError if it cannot be made.
-void make_folder(const std::filesystem::path& folder);
 
 /// ".png" of "a/b.PNG".
 std::string small_extension(const std::filesystem::path& path);

@@ -92,9 +92,7 @@ std::vector<std::string> write_files(const RenderOptions& options, Target target
   if (target == Target::Exr) image::write_exr(written(output), drawn.picture);
   if (target == Target::Png) image::write_png(written(output), audit::preview_of(drawn.picture));
   if (target == Target::Folder) {
-    std::error_code error;
-    fs::create_directories(output, error);
-    if (error) input_error("cannot make the folder '{}': {}", options.output, error.message());
+    make_folder(output);
     image::write_exr(written(output / "picture.exr"), drawn.picture);
     image::write_png(written(output / "picture.png"), audit::preview_of(drawn.picture));
     write_file_atomically(written(output / "scene.toml"), audit::to_toml(drawn.scene));
@@ -194,9 +192,7 @@ int render_path(const RenderOptions& options, const audit::Scene& scene,
   for (const audit::CameraDescription& frame : frames)
     placed.push_back(audit::place_camera(frame, field).description);
   const fs::path folder(options.output);
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) input_error("cannot make the folder '{}': {}", options.output, error.message());
+  make_folder(folder);
   nlohmann::ordered_json json{{"schema", "plumb.render-path/1"},
                               {"command", invocation.command_line()}};
   std::vector<std::vector<std::string>> rows;

@@ -212,15 +212,20 @@ TEST(DepthPicture, MeasuresWhatTheDoublesSay) {
   }
 }
 
+image::DepthBuffer in_16_bits(const HitImage& hits, const Camera& camera) {
+  image::DepthBuffer buffer = written(hits, camera, {DepthConvention::Window});
+  buffer.format = {24, 16};
+  for (float& value : buffer.values) value = static_cast<float>(rounded(value, buffer.format));
+  return buffer;
+}
+
 TEST(DepthPicture, TellsWhatRoundingHides) {
   const auto there = ground("generate:alpine?size=129&seed=7");
   Camera camera = there->camera("oblique", 97, 61);
   camera.near_m = 1.0;
   camera.far_m = kInfinity;
   const HitImage hits = there->truth.caster.cast_frame(camera);
-  image::DepthBuffer buffer = written(hits, camera, {DepthConvention::Window});
-  buffer.format = {24, 16};
-  for (float& value : buffer.values) value = static_cast<float>(rounded(value, buffer.format));
+  const image::DepthBuffer buffer = in_16_bits(hits, camera);
   const DepthPicture picture =
       depth_picture(there->truth, hits, buffer, {DepthConvention::Window}, camera, {});
   // Half a step h is h w^2 / n metres: the header's derivation.
@@ -241,9 +246,7 @@ TEST(DepthPicture, DoesNotHoldClearedNumbersAgainstFarTerrain) {
   camera.near_m = 0.001;
   camera.far_m = kInfinity;
   const HitImage hits = there->truth.caster.cast_frame(camera);
-  image::DepthBuffer buffer = written(hits, camera, {DepthConvention::Window});
-  buffer.format = {24, 16};
-  for (float& value : buffer.values) value = static_cast<float>(rounded(value, buffer.format));
+  const image::DepthBuffer buffer = in_16_bits(hits, camera);
   const DepthPicture picture =
       depth_picture(there->truth, hits, buffer, {DepthConvention::Window}, camera, {});
   EXPECT_GT(picture.undecided, 100);

@@ -20,6 +20,7 @@ std::string text_of(const DetectionTable& table) {
   for (const DetectionRow& row : table.rows) {
     text += fmt::format("{:14} {} of {} failed, by {}\n", row.kind->name, row.failed, row.pictures,
                         fmt::join(row.best_checks(3), ", "));
+    if (!row.wrong.empty()) text += fmt::format("  wrong: {}\n", fmt::join(row.wrong, "; "));
   }
   return text;
 }

@@ -9,25 +9,13 @@
 #include "compare/others_fuzzy.h"
 #include "compare/others_pixelmatch.h"
 #include "compare/others_similarity.h"
+#include "grey_pictures.h"
 #include "support/random_scene.h"
 
 namespace plumb::compare {
 namespace {
 
 using image::Rgb8Image;
-
-Rgb8Image drawn(int width, int height, const std::function<int(int, int)>& grey) {
-  Rgb8Image picture{width, height, {}};
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x)
-      picture.rgb.insert(picture.rgb.end(), 3, static_cast<std::uint8_t>(grey(x, y)));
-  }
-  return picture;
-}
-
-Rgb8Image even(int grey) {
-  return drawn(16, 16, [&](int, int) { return grey; });
-}
 
 // A square of `side` pixels of another grey in the middle of 32 x 32.
 Rgb8Image square(int side, int grey = 200) {

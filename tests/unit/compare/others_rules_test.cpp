@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/parallel.h"
+#include "grey_pictures.h"
 #include "image/image_files.h"
 #include "support/random_scene.h"
 #include "support/run_command.h"
@@ -19,19 +20,6 @@ namespace plumb::compare {
 namespace {
 
 using image::Rgb8Image;
-
-Rgb8Image drawn(int width, int height, const std::function<int(int, int)>& grey) {
-  Rgb8Image picture{width, height, {}};
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x)
-      picture.rgb.insert(picture.rgb.end(), 3, static_cast<std::uint8_t>(grey(x, y)));
-  }
-  return picture;
-}
-
-Rgb8Image even(int grey, int width = 16, int height = 16) {
-  return drawn(width, height, [&](int, int) { return grey; });
-}
 
 // The first `pixels` pixels darker by `by` in one channel.
 Rgb8Image with_darker(Rgb8Image picture, int pixels, int by) {
