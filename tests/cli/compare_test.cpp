@@ -197,5 +197,29 @@ TEST_F(CompareCommand, CalibratesByPairsThatShouldPass) {
   EXPECT_FALSE(fs::exists(folder_.file("mine.txt")));
 }
 
+// A profile that lets everything pass misses every defect, and is told so.
+TEST_F(CompareCommand, TellsWhatAProfileCatchesAsItIs) {
+  const std::string a = picture("a.png"), lax = folder_.file("lax.toml"),
+                    planted = folder_.file("planted");
+  std::ofstream(lax) << "systematic = false\n[colour]\nlargest = 1.0\n";
+  const CommandResult result =
+      run_plumb({"compare", "--detection", a, "--profile", lax, "--seeds", "1", "--json"});
+  EXPECT_EQ(result.status, 1) << result.err;
+  const json printed = json::parse(result.out);
+  EXPECT_EQ(printed["schema"], "plumb.detection/1");
+  for (const json& row : printed["detection"][0]["rows"]) {
+    EXPECT_EQ(row["failed"], 0);
+    EXPECT_EQ(row["wrong"].size(), row["as_wanted"] ? 0u : row["pictures"].get<std::size_t>());
+  }
+  const CommandResult shown =
+      run_plumb({"compare", "--detection", a, "--seeds", "1", "-o", planted});
+  EXPECT_LE(shown.status, 1) << shown.err;
+  EXPECT_TRUE(fs::exists(fs::path(planted) / "index.html"));
+  EXPECT_TRUE(fs::exists(fs::path(planted) / "pairs" / "crack-1px" / "index.html"));
+  EXPECT_EQ(image::read_png(fs::path(planted) / "planted.png").width_px, 1104);
+  EXPECT_EQ(run_plumb({"compare", "--detection", a, a}).status, 2);
+  EXPECT_EQ(run_plumb({"compare", "--detection", "--calibrate"}).status, 2);
+}
+
 }  // namespace
 }  // namespace plumb::testing

@@ -153,10 +153,14 @@ void measure_local(const Measuring& m) {
                                            m.pair.width_px(), m.pair.height_px());
   const auto above = static_cast<float>(m.profile.options.unexplained_above);
   const auto alone = static_cast<float>(m.profile.options.isolated_above);
-  const std::size_t unexplained = count_judged(m.pair, [&](std::size_t k) {
-    return local.unexplained[k] > above &&
-           local.unexplained[k] > kContrastShare * local.contrast[k];
+  // What is explained is no more to be seen.
+  parallel_for(static_cast<std::int64_t>(m.pair.size()), 65536, [&](std::int64_t at) {
+    const auto k = static_cast<std::size_t>(at);
+    float& left = local.unexplained[k];
+    if (!(left > above && left > kContrastShare * local.contrast[k])) left = 0.0f;
   });
+  const std::size_t unexplained =
+      count_judged(m.pair, [&](std::size_t k) { return local.unexplained[k] > 0.0f; });
   const std::size_t isolated =
       count_judged(m.pair, [&](std::size_t k) { return local.isolated[k] > alone; });
   std::size_t worst = 0;
@@ -173,6 +177,10 @@ void measure_local(const Measuring& m) {
   m.add(kGroup, "isolated_largest", double{largest}, where);
   m.keep_map({"isolated", "by how much a pixel stands out of all around it in the other picture",
               "", std::move(local.isolated), m.bound(kGroup, "isolated_largest")});
+  m.keep_map({"unexplained",
+              "by how much more a pixel differs than a shift by a quarter of a pixel explains, and "
+              "the contrast around",
+              "", std::move(local.unexplained)});
 }
 
 }  // namespace

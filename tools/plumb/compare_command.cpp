@@ -197,7 +197,8 @@ Command compare_command() {
     options.group("Output");
     add_output_option(options, values->output,
                       "Write a self-contained page, JSON and pictures into this folder; of "
-                      "--calibrate: the profile into this .toml file");
+                      "--calibrate: the profile into this .toml file; of --detection: pages of "
+                      "what is planted, and planted.png");
     options.text(values->junit, "--junit", "FILE", "Write the verdicts as JUnit XML");
     add_json_option(options, values->json);
     add_threads_option(options, values->threads);

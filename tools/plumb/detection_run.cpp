@@ -2,15 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
 #include "compare/calibration.h"
+#include "compare/comparison_page.h"
+#include "compare/defect_sheet.h"
 #include "compare/detection.h"
 #include "compare/folder_pairs.h"
 #include "core/atomic_file.h"
 #include "core/check.h"
 #include "detection_text.h"
+#include "image/image_files.h"
 #include "progress.h"
 
 namespace plumb::tool {
@@ -18,6 +22,12 @@ namespace {
 
 namespace fs = std::filesystem;
 using compare::Channels;
+
+Channels channels_of(const image::PlaneImage& picture) {
+  return picture.encoding == image::Encoding::Srgb && picture.find("A") == nullptr
+             ? Channels::ColoursAlone
+             : Channels::All;
+}
 
 // What a profile catches in generated scenes, with both kinds of channels.
 std::vector<NamedTable> tables_of_scenes(const DetectionRun& run, const compare::Profile& profile,
@@ -46,10 +56,7 @@ NamedTable table_of_pictures(const DetectionRun& run, const std::vector<std::str
   for (const std::string& reference : references) {
     const image::PlaneImage picture = image::read_planes(reference);
     if (compare::colour_planes(picture).empty()) continue;
-    const Channels channels =
-        picture.encoding == image::Encoding::Srgb && picture.find("A") == nullptr
-            ? Channels::ColoursAlone
-            : Channels::All;
+    const Channels channels = channels_of(picture);
     for (int seed = 1; seed <= run.seeds; ++seed) {
       progress.step(fmt::format("defects in {}, seed {} of {}", reference, seed, run.seeds));
       named.table.judge(
@@ -119,12 +126,55 @@ DetectionOutcome calibrate_by_pairs(const DetectionRun& run, const compare::Prof
   return outcome;
 }
 
+// Pictures with every kind of defect, of the reference or of one generated scene, as tables have
+// them.
+std::vector<compare::HarmedPicture> planted_once(const DetectionRun& run) {
+  std::vector<compare::HarmedPicture> planted;
+  if (run.reference.empty()) {
+    planted = harmed_pictures(compare::PlantedScene({}), 1, Channels::ColoursAlone);
+  } else {
+    const image::PlaneImage picture = image::read_planes(run.reference);
+    planted = harmed_pictures(picture, 1, channels_of(picture));
+  }
+  const compare::DefectKind* first = compare::defect_kinds().data();
+  std::stable_sort(planted.begin(), planted.end(),
+                   [&](const auto& a, const auto& b) { return a.kind - first < b.kind - first; });
+  return planted;
+}
+
+// The page of what is planted, and a sheet of what finds it.
+void write_planted(const DetectionRun& run, const compare::Profile& profile,
+                   const Invocation& invocation, Progress& progress) {
+  compare::FolderComparison folder;
+  folder.reference_name = run.reference.empty() ? "a generated scene" : run.reference;
+  folder.candidate_name = "planted defects";
+  folder.profile = profile.name;
+  std::vector<compare::SheetRow> rows;
+  for (compare::HarmedPicture& each : planted_once(run)) {
+    progress.step(fmt::format("the page of {}", each.kind->name));
+    const compare::PicturePair pair{
+        "reference", each.kind->name, std::move(each.reference), std::move(each.picture), {}};
+    compare::Comparison comparison = compare_pictures(pair, profile);
+    const char* wanted = each.kind->harmless == comparison.passes() ? "" : " - WRONG";
+    rows.push_back(sheet_row(
+        fmt::format("{}: {}{}", each.kind->name, comparison.passes() ? "passes" : "fails", wanted),
+        pair, comparison));
+    folder.pairs.push_back(write_folder_pair(run.output, each.kind->name, pair,
+                                             std::move(comparison), invocation.command_line()));
+  }
+  write_folder_report(run.output, folder, invocation.command_line());
+  image::write_png(fs::path(run.output) / "planted.png", compare::sheet_of(rows));
+}
+
 // The profile as it is.
 DetectionOutcome detect(const DetectionRun& run, const compare::Profile& profile,
-                        Progress& progress) {
+                        const Invocation& invocation, Progress& progress) {
   if (!run.candidate.empty() || fs::is_directory(run.reference))
     input_error("--detection plants defects in one REFERENCE picture, or in generated scenes");
-  if (!run.output.empty()) input_error("-o '{}': --detection writes no files", run.output);
+  if (!run.output.empty()) {
+    make_folder(run.output);
+    write_planted(run, profile, invocation, progress);
+  }
   if (run.reference.empty()) return {{}, tables_of_scenes(run, profile, progress)};
   return {{}, {table_of_pictures(run, {run.reference}, profile, progress)}};
 }
@@ -135,10 +185,12 @@ int run_detection(const DetectionRun& run, const compare::Profile& base,
                   const Invocation& invocation) {
   Progress progress;
   if (!run.calibrate) {
-    const DetectionOutcome outcome = detect(run, base, progress);
+    const DetectionOutcome outcome = detect(run, base, invocation, progress);
     progress.finish();
     std::cout << (run.json ? detection_json(outcome, invocation.command_line())
                            : detection_text(outcome));
+    if (!run.json && !run.output.empty())
+      std::cout << fmt::format("written to {}: index.html planted.png\n", run.output);
     return outcome.good() ? 0 : 1;
   }
   if (!run.output.empty() && !run.output.ends_with(".toml"))
