@@ -10,6 +10,7 @@
 #include "audit/depth_readings.h"
 #include "audit/depth_samples.h"
 #include "audit/plan_fit.h"
+#include "audit/turned_cameras.h"
 
 namespace plumb::audit {
 namespace {
@@ -20,6 +21,7 @@ constexpr double kLeastShare = 1.0 / 16.0;
 constexpr double kFewPixels = 16.0;     // that show terrain; fewer explain nothing
 constexpr double kNoDifference = 1e-6;  // single precision leaves as much
 constexpr double kLeastFactor = 0.01;   // of heights: a level plane explains nothing
+constexpr double kTellsApart = 0.5;     // of the misfit, between the truth and its turned view
 constexpr double kPromised = 0.9;       // of a frame that keeps to the tolerance as it was meant
 
 // What explains the frame best so far.
@@ -173,11 +175,28 @@ class FrameFit {
     try_reading(reading);
   }
 
-  // Farther from the truth than its own levels of detail through the same camera.
-  bool is_stranger() const {
+  // Farther from the truth than its own levels of detail through the same camera, or as far as any
+  // other ground.
+  bool is_stranger() {
     const auto all = static_cast<double>(samples_.size());
     if (static_cast<double>(before_.pixels) < std::max(kFewPixels, kLeastShare * all)) return false;
-    return points_.empty() || samples_.drawn_difference(ranges_) > coarsest_;
+    other_ground_ = misfit_of_other_ground();
+    return points_.empty() || samples_.drawn_difference(ranges_) > coarsest_ ||
+           before_.mean >= kChance * other_ground_;
+  }
+
+  // The frame's least misfit with other ground: with the terrain as it looks turned or mirrored.
+  double misfit_of_other_ground() const {
+    double least = kInfinity;
+    for (const Camera& camera : turned_cameras(truth_, stated_.camera)) {
+      const std::vector<double> turned = samples_.depths_of(truth_, camera);
+      DepthRanges as_ranges;
+      for (const double depth : turned) as_ranges.push_back(DepthRange{depth, depth, depth});
+      // Ground that is the same when it is turned says nothing.
+      if (difference_of(as_ranges, samples_.true_depths()).mean >= kTellsApart * before_.mean)
+        least = std::min(least, difference_of(ranges_, turned).mean);
+    }
+    return least;
   }
 
   // The largest misfit of the terrain's own levels of detail through the stated camera.
@@ -194,14 +213,20 @@ class FrameFit {
 
   std::string stranger_text() const {
     const double all = static_cast<double>(samples_.size());
-    return fmt::format(
+    std::string text = fmt::format(
         "nothing that is known to go wrong explains the frame, so it is of another camera or "
-        "another terrain: it shows something in {:.3g} % of its pixels, the truth in {:.3g} %; "
-        "{:.2g} % of these keep to {}; depths are off by {:.2g} % in the mean, those of every {}th "
-        "sample of the terrain would be by {:.2g} %",
+        "another terrain, or its eye is under the ground that it draws: it shows something in "
+        "{:.3g} % of its pixels, the truth in {:.3g} %; {:.2g} % of these keep to {}; depths are "
+        "off by {:.2g} % in the mean, those of every {}th sample of the terrain would be by {:.2g} "
+        "%",
         100.0 * static_cast<double>(fit_.points) / all,
         100.0 * static_cast<double>(samples_.true_pixels()) / all, 100.0 * within_,
         to_text(tolerance_), 100.0 * before_.mean, kCoarsestStride, 100.0 * coarsest_);
+    if (other_ground_ < kInfinity)
+      text +=
+          fmt::format(", from those of the terrain turned or mirrored the frame's are by {:.2g} %",
+                      100.0 * other_ground_);
+    return text;
   }
 
   const HeightfieldTruth& truth_;
@@ -213,7 +238,7 @@ class FrameFit {
   std::vector<glm::dvec3> points_;
   PlanFit fit_;
   Choice best_;
-  double coarsest_ = 0.0, within_ = 0.0;
+  double coarsest_ = 0.0, within_ = 0.0, other_ground_ = kInfinity;
 };
 
 }  // namespace

@@ -45,9 +45,11 @@ struct Misfit {
 ///       the best gained a factor of 4.6 by another camera, 8 by fitting heights. Nor are holes and
 ///       noise explained, of which every reading has its share.
 ///   (3) If nothing is named and most of the frame is beyond the tolerance, it is refused as one of
-///       another camera or terrain if nothing is drawn, or if the misfit of what is drawn is
-///       larger than that of every level of detail: no frame that shows the terrain at all need be
-///       so wrong. Holes are the audit's matter.
+///       another camera or terrain if nothing is drawn; if the misfit of what is drawn is larger
+///       than that of every level of detail: no frame that shows the terrain at all need be so
+///       wrong; or if its misfit is at least kChance of its least misfit with the terrain turned by
+///       a quarter or mirrored (turned_cameras that differ from the truth by half the misfit or
+///       more): it is no nearer to this ground than to any other. Holes are the audit's matter.
 ///   (4) A shift by half a pixel or half a sample is a hint, and refuses no frame of which most
 ///       keeps to the tolerance. A wrong convention is refused however small its errors are: from
 ///       above, a frame that is upside down may be off by less than a pixel everywhere.
@@ -55,6 +57,9 @@ struct Misfit {
 std::optional<Misfit> misfit_of_depth(const HeightfieldTruth& truth, const HitImage& true_hits,
                                       const image::DepthBuffer& buffer, const DepthMeaning& meaning,
                                       const Camera& camera, const Tolerance& tolerance);
+
+/// See (3).
+inline constexpr double kChance = 0.9;
 
 inline constexpr double kFarBetter = 10.0, kFarBetterNumbers = 4.0, kFarBetterThanCoarse = 40.0;
 

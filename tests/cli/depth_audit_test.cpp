@@ -141,7 +141,14 @@ TEST_F(DepthAudit, NamesWhatDoesNotFitBeforeAnyError) {
   const std::string file = drawn();
   expect_one_line(audit(file, {"--depth-convention", "distance"}), "--depth-convention linear");
   expect_one_line(audit(file, {"--depth-y", "up"}), "--depth-y down");
-  expect_one_line(audit(file, {}, "generate:alpine?size=65&seed=4"), "another terrain");
+  const std::string other = "generate:alpine?size=65&seed=4";
+  expect_one_line(audit(file, {}, other), "another terrain");
+  // Unless somebody knows better.
+  const CommandResult trusted = audit(file, {"--trust"}, other);
+  EXPECT_EQ(trusted.status, 1);
+  EXPECT_NE(trusted.err.find("another terrain"), std::string::npos);
+  EXPECT_NE(trusted.out.find("Broken: pixel-error"), std::string::npos) << trusted.out;
+  expect_one_line(run_with({"audit", kTerrain}, {"--trust"}), "--trust belongs to --mesh or");
   expect_one_line(audit(file, {"--depth-convention", "distance", "--json"}),
                   "--depth-convention linear");
   expect_one_line(audit(file, {"--depth-convention", "distance", "-o", folder_.file("report")}),

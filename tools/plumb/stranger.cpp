@@ -22,6 +22,8 @@ constexpr const char* kDiagonalNote =
     "A renderer whose cells are all cut the same way is judged by --diagonal fixed; another "
     "diagonal shows as up to half of a cell's twist.";
 
+constexpr const char* kTrustNote = " (--trust audits it all the same)";
+
 void require_positive(const std::optional<double>& value, const char* option) {
   if (value && !(*value > 0.0 && std::isfinite(*value)))
     input_error("{} {}: expected a positive number", option, *value);
@@ -147,6 +149,10 @@ void add_stranger_options(Options& options, StrangerOptions& stranger) {
   options.choice(
       stranger.depth_raw, "--depth-raw", {"little", "big"},
       "It holds nothing but floats of this byte order, as many as the camera has pixels");
+  options.group("Whether they fit");
+  options.flag(stranger.trusted, "--trust",
+               "Audit a mesh or depth buffer that seems to be of another camera, convention, place "
+               "or terrain, which ends with status 2 otherwise");
 }
 
 void require_consistent(const StrangerOptions& s, const std::vector<std::string>& arguments) {
@@ -165,6 +171,7 @@ void require_consistent(const StrangerOptions& s, const std::vector<std::string>
   only_of(s.depth_sky.has_value(), "--depth-sky", s.is_depth(), "--depth");
   only_of(s.depth_bits > 0, "--depth-bits", s.is_depth(), "--depth");
   only_of(!s.depth_raw.empty(), "--depth-raw", s.is_depth(), "--depth");
+  only_of(s.trusted, "--trust", s.is_given(), "--mesh or --depth");
   require_positive(s.scale, "--scale");
   require_positive(s.depth_scale, "--depth-scale");
   if (!s.depth_raw.empty() && !s.depth_channel.empty())
@@ -186,7 +193,8 @@ Stranger read_stranger_mesh(const StrangerOptions& options, const audit::Heightf
   Stranger stranger;
   stranger.warnings = file.warnings;
   if (const auto misfit = audit::misfit_of_mesh(truth, file.mesh, read, camera, tolerance)) {
-    if (misfit->refuses) input_error("mesh '{}': {}", options.mesh_file, misfit->text);
+    if (misfit->refuses && !options.trusted)
+      input_error("mesh '{}': {}{}", options.mesh_file, misfit->text, kTrustNote);
     stranger.hints.push_back(misfit->text);
     stranger.warnings.push_back(misfit->text);
   } else if (const auto elsewhere = terrain::misplacement(file.mesh, truth.field())) {
@@ -222,7 +230,8 @@ DepthFrame read_depth_frame(const StrangerOptions& options, const audit::Heightf
   Stranger& stranger = frame.stranger;
   if (const auto misfit =
           audit::misfit_of_depth(truth, frame.true_hits, buffer, meaning, camera, tolerance)) {
-    if (misfit->refuses) input_error("depth '{}': {}", options.depth_file, misfit->text);
+    if (misfit->refuses && !options.trusted)
+      input_error("depth '{}': {}{}", options.depth_file, misfit->text, kTrustNote);
     stranger.hints.push_back(misfit->text);
     stranger.warnings.push_back(misfit->text);
   }

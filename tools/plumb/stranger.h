@@ -20,6 +20,7 @@ struct StrangerOptions {
   std::string depth_file, depth_channel, depth_convention, depth_y, depth_raw;
   std::optional<double> depth_scale, depth_sky;
   int depth_bits = 0;
+  bool trusted = false;  // audited even if it seems to fit nowhere
 
   bool is_mesh() const { return !mesh_file.empty(); }
   bool is_depth() const { return !depth_file.empty(); }

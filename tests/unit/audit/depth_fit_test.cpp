@@ -198,6 +198,7 @@ TEST(DepthFit, NamesOtherNearAndFarPlanes) {
 
 TEST(DepthFit, RefusesAnotherTerrain) {
   int refused = 0, all = 0;
+  std::string passed;
   for_every_view(
       [&](const Ground& there, const Camera& camera) {
         for (const char* other :
@@ -207,16 +208,20 @@ TEST(DepthFit, RefusesAnotherTerrain) {
           const HitImage hits = stranger->truth.caster.cast_frame(camera);
           const auto found = misfit(there, written(hits, camera, {}), {}, camera);
           ++all;
-          if (!found || !found->refuses) continue;
+          if (!found || !found->refuses) {
+            passed += fmt::format("{} seen through {} x {} pixels; ", other, camera.width_px,
+                                  camera.height_px);
+            continue;
+          }
           ++refused;
           EXPECT_NE(found->text.find("another camera or another terrain"), std::string::npos)
               << found->text;
         }
       },
       257);
-  // What passes looks no worse than a coarse level of detail: dunes of a few metres in place of
-  // others, and mountains seen from above, whose heights move nothing on the screen.
-  EXPECT_GE(refused, all - 6);
+  // What passes are dunes of a few metres in place of others, and mountains seen straight from
+  // above, whose heights move nothing on the screen.
+  EXPECT_GE(refused, all - 3) << passed;
 }
 
 TEST(DepthFit, RefusesAnotherCamera) {
@@ -231,8 +236,8 @@ TEST(DepthFit, RefusesAnotherCamera) {
       refused += found && found->refuses;
     }
   });
-  // From a valley all that is coarse looks as wrong as another place does, and passes.
-  EXPECT_GE(refused, 13) << all;
+  // Nothing but sky is right where there is much of it: an oblique view in a valley's place.
+  EXPECT_GE(refused, all - 2) << all;
 }
 
 // ---- frames that are merely wrong
@@ -259,7 +264,10 @@ TEST(DepthFit, NamesNothingInAnExactFrame) {
 
 TEST(DepthFit, NamesNothingInACoarseLevelOfDetail) {
   for_every_view([](const Ground& there, const Camera& camera) {
-    for (int stride = 2; stride <= 64; stride *= 2) {
+    // Of less than eight cells a side nothing is left but chance; in a valley a coarse ground
+    // covers the eye.
+    const bool in_valley = camera.height_px == 121;
+    for (int stride = 2; stride <= (in_valley ? 4 : 16); stride *= 2) {
       const auto coarse = decimated(there.field, stride);
       expect_nothing(there, written(coarse->truth.caster.cast_frame(camera), camera, {}), camera,
                      fmt::format("stride {}", stride));
@@ -311,6 +319,25 @@ TEST(DepthFit, RefusesAFrameInWhichNothingIsDrawn) {
   ASSERT_TRUE(found);
   EXPECT_NE(found->text.find("shows something in 0 % of its pixels"), std::string::npos)
       << found->text;
+}
+
+// A pyramid is the same turned and mirrored, which says nothing of a frame that is merely coarse.
+TEST(DepthFit, TakesACoarseFrameOfGroundThatIsTheSameTurned) {
+  terrain::Heightfield field;
+  field.heights_m = Grid<float>(129, 129);
+  field.dx_m = field.dy_m = 10.0;
+  for (int j = 0; j < 129; ++j) {
+    for (int i = 0; i < 129; ++i)
+      field.heights_m.floats()(i, j) =
+          static_cast<float>(5 * std::min({i, j, 128 - i, 128 - j}) + 3 * ((i + j) % 2));
+  }
+  const Ground there(std::move(field));
+  const auto coarse = decimated(there.field, 8);
+  for (const View& view : kViews) {
+    const Camera camera = there.camera(view.preset, view.width, view.height);
+    expect_nothing(there, written(coarse->truth.caster.cast_frame(camera), camera, {}), camera,
+                   view.preset);
+  }
 }
 
 // A survey of mountains, and one of a town from the air, which has voids.
