@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "audit/camera_fit.h"
 #include "audit/coarse_truth.h"
 #include "audit/depth_readings.h"
 #include "audit/depth_samples.h"
@@ -55,8 +56,8 @@ class FrameFit {
     // What is fitted explains every small error; it is worth a word only where errors are large.
     if (!most_is_within) look_at_fits();
     if (!best_.text.empty()) {
-      return Misfit{fmt::format("the frame fits if {}: depths are then off by {:.2g} % in "
-                                "the mean, as stated by {:.2g} %",
+      return Misfit{fmt::format("the frame fits if {}: depths are then off by {:.3g} % in "
+                                "the mean, as stated by {:.3g} %",
                                 best_.text, 100.0 * best_.mean, 100.0 * before_.mean),
                     !(best_.is_slight && most_is_within)};
     }
@@ -99,7 +100,50 @@ class FrameFit {
     offer(reading, now.mean);
   }
 
+  // The number that nearly all pixels of the true sky hold, if it is none as stated.
+  std::optional<double> cleared_number() const {
+    std::vector<float> numbers;
+    for (std::size_t k = 0; k < samples_.size(); ++k) {
+      const bool sky = !(samples_.true_depths()[k] < kInfinity);
+      if (sky && !(ranges_[k] && ranges_[k]->is_sky()))
+        numbers.push_back(samples_.number_at(k, stated_.meaning));
+    }
+    if (static_cast<double>(numbers.size()) < kFewPixels) return std::nullopt;
+    std::sort(numbers.begin(), numbers.end());
+    const float middle = numbers[numbers.size() / 2];
+    const auto [first, last] = std::equal_range(numbers.begin(), numbers.end(), middle);
+    const auto same = static_cast<double>(last - first);
+    return same >= kPromised * static_cast<double>(numbers.size()) ? std::optional(double{middle})
+                                                                   : std::nullopt;
+  }
+
+  // Another number for sky, negative depths, or both.
+  void look_at_numbers() {
+    const auto sky = cleared_number();
+    const std::string sky_text =
+        sky ? fmt::format("its number for sky is {0:.9g} (--depth-sky {0:.9g})", *sky) : "";
+    DepthReading reading = stated_;
+    if (sky) {
+      reading.meaning.sky = sky;
+      reading.text = sky_text;
+      try_reading(reading);
+    }
+    const bool sky_is_told = sky && !std::isinf(*sky);
+    if (!sky_is_told) reading.meaning.sky = stated_.meaning.sky;
+    for (const DepthConvention convention : {DepthConvention::Linear, DepthConvention::Distance}) {
+      reading.meaning.convention = convention;
+      reading.meaning.metres_per_unit = -stated_.meaning.metres_per_unit;
+      reading.text = fmt::format(
+          "its numbers are negative {} (--depth-convention {} --depth-scale "
+          "{:g}){}",
+          convention == DepthConvention::Linear ? "depths" : "distances", name_of(convention),
+          reading.meaning.metres_per_unit, sky_is_told ? ", and " + sky_text : "");
+      try_reading(reading);
+    }
+  }
+
   void look_at_readings() {
+    look_at_numbers();
     const std::vector<DepthReading> readings = other_readings(stated_, truth_.field());
     for (const Plainness plainness : {Plainness::OneMistake, Plainness::TwoMistakes}) {
       for (const DepthReading& reading : readings) {
@@ -114,6 +158,16 @@ class FrameFit {
     try_planes(false);
     try_planes(true);
     try_heights();
+    try_camera();
+  }
+
+  // Another camera not far from the stated one.
+  void try_camera() {
+    DepthReading reading = stated_;
+    reading.camera = reading.seen_by = fitted_camera(samples_, ranges_, stated_.camera);
+    reading.plainness = Plainness::FittedTwice;
+    reading.text = camera_text(reading.camera, stated_.camera);
+    if (!(reading.camera == stated_.camera)) try_reading(reading);
   }
 
   // Another unit of view depth or distance.
@@ -147,7 +201,8 @@ class FrameFit {
       if (samples_.true_depths()[k] < kInfinity)
         stored.push_back({number, samples_.true_depths()[k]});
     }
-    if (const auto fitted = reading_of_planes(reading, stored)) try_reading(*fitted);
+    if (const auto fitted = reading_of_planes(reading, stored, stated_.meaning))
+      try_reading(*fitted);
   }
 
   // Heights off by a constant or a factor: what is drawn still stands over the right places.
@@ -216,15 +271,15 @@ class FrameFit {
     std::string text = fmt::format(
         "nothing that is known to go wrong explains the frame, so it is of another camera or "
         "another terrain, or its eye is under the ground that it draws: it shows something in "
-        "{:.3g} % of its pixels, the truth in {:.3g} %; {:.2g} % of these keep to {}; depths are "
-        "off by {:.2g} % in the mean, those of every {}th sample of the terrain would be by {:.2g} "
+        "{:.3g} % of its pixels, the truth in {:.3g} %; {:.3g} % of these keep to {}; depths are "
+        "off by {:.3g} % in the mean, those of every {}th sample of the terrain would be by {:.3g} "
         "%",
         100.0 * static_cast<double>(fit_.points) / all,
         100.0 * static_cast<double>(samples_.true_pixels()) / all, 100.0 * within_,
         to_text(tolerance_), 100.0 * before_.mean, kCoarsestStride, 100.0 * coarsest_);
     if (other_ground_ < kInfinity)
       text +=
-          fmt::format(", from those of the terrain turned or mirrored the frame's are by {:.2g} %",
+          fmt::format(", from those of the terrain turned or mirrored the frame's are by {:.3g} %",
                       100.0 * other_ground_);
     return text;
   }

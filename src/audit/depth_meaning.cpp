@@ -99,11 +99,15 @@ std::optional<DepthRange> depth_range(float stored, const image::NumberFormat& f
   const bool along_ray = meaning.convention == DepthConvention::Distance;
   if (!along_ray && meaning.convention != DepthConvention::Linear)
     return window_range(number, format, meaning, camera);
-  if (number == kSky) return DepthRange{kSky, kSky, kSky};
-  if (!(number > 0.0) || std::isinf(number)) return std::nullopt;
+  if (std::isinf(number)) {
+    const bool far = (number > 0.0) == (meaning.metres_per_unit > 0.0);
+    return far ? std::optional(DepthRange{kSky, kSky, kSky}) : std::nullopt;
+  }
   const double factor = meaning.metres_per_unit / (along_ray ? ray_length : 1.0);
+  if (!(number * factor > 0.0)) return std::nullopt;
   const image::NumberRange held = image::numbers_held_as(number, format);
-  return DepthRange{std::max(0.0, held.low * factor), number * factor, held.high * factor};
+  const auto [low, high] = std::minmax({held.low * factor, held.high * factor});
+  return DepthRange{std::max(0.0, low), number * factor, high};
 }
 
 std::optional<DepthRange> depth_range_at(const image::DepthBuffer& buffer,

@@ -30,7 +30,7 @@ struct DepthMeaning {
   DepthConvention convention = DepthConvention::Linear;
   bool rows_from_bottom = false;    // the file's first row is the picture's lowest
   bool columns_from_right = false;  // its first column the picture's last: never right, but found
-  double metres_per_unit = 1.0;     // of linear and distance
+  double metres_per_unit = 1.0;     // of linear and distance; negative where depths are
   std::optional<double> sky = std::nullopt;  // a stored number that means: nothing was drawn here
 };
 

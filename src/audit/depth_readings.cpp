@@ -212,8 +212,9 @@ std::string size_text(double metres) {
 
 }  // namespace
 
-std::optional<DepthReading> reading_of_planes(const DepthReading& stated,
-                                              const std::vector<StoredDepth>& stored) {
+std::optional<DepthReading> reading_of_planes(const DepthReading& given,
+                                              const std::vector<StoredDepth>& stored,
+                                              const DepthMeaning& stated) {
   std::vector<StoredDepth> inner;  // neither cleared nor at an end
   for (const StoredDepth& s : stored) {
     if (s.number > -1.0 && s.number < 1.0 && s.number != 0.0) inner.push_back(s);
@@ -228,7 +229,7 @@ std::optional<DepthReading> reading_of_planes(const DepthReading& stated,
                                      : line->a,
                far_end = is_ndc || !reversed ? line->a + line->b : line->a;
   if (!(near_end > 0.0) || (is_ndc && reversed)) return std::nullopt;
-  DepthReading reading = stated;
+  DepthReading reading = given;
   reading.plainness = Plainness::Fitted;
   reading.meaning.convention = is_ndc     ? DepthConvention::Ndc
                                : reversed ? DepthConvention::ReverseZ
@@ -240,13 +241,16 @@ std::optional<DepthReading> reading_of_planes(const DepthReading& stated,
       far_end > 1e-6 * near_end ? 1.0 / far_end : std::numeric_limits<double>::infinity();
   if (!(camera.far_m > camera.near_m)) return std::nullopt;
   reading.seen_by = camera;
-  reading.text = fmt::format(
-      "its rows run from the {}, and {}, of a near plane at {} and a far one at {} (the camera "
-      "says "
-      "{} and {})",
-      stated.meaning.rows_from_bottom ? "bottom up" : "top down",
-      convention_text(reading.meaning.convention), size_text(camera.near_m),
-      size_text(camera.far_m), size_text(stated.camera.near_m), size_text(stated.camera.far_m));
+  if (reading.meaning.rows_from_bottom != stated.rows_from_bottom)
+    reading.text = rows_text(reading.meaning.rows_from_bottom) + ", and ";
+  else
+    reading.text.clear();
+  if (reading.meaning.convention != stated.convention)
+    reading.text += convention_text(reading.meaning.convention) + ", and ";
+  reading.text +=
+      fmt::format("its near plane lies at {} and its far one at {} (the camera says {} and {})",
+                  size_text(camera.near_m), size_text(camera.far_m), size_text(given.camera.near_m),
+                  size_text(given.camera.far_m));
   return reading;
 }
 

@@ -33,11 +33,12 @@ struct StoredDepth {
   double number, depth_m;
 };
 
-/// Window depth of near and far planes that explain the numbers best; nothing if none do. `stated`
-/// says which way rows run. 1/w = a + b d is fitted by least squares, each pixel's relative error
-/// counting the same, then again twice of the better half.
-std::optional<DepthReading> reading_of_planes(const DepthReading& stated,
-                                              const std::vector<StoredDepth>& stored);
+/// Window depth of near and far planes that explain the numbers best; nothing if none do. `reading`
+/// says which way rows run; the text, what is not as `stated`. 1/w = a + b d is fitted by least
+/// squares, each pixel's relative error counting the same, then again twice of the better half.
+std::optional<DepthReading> reading_of_planes(const DepthReading& reading,
+                                              const std::vector<StoredDepth>& stored,
+                                              const DepthMeaning& stated);
 
 /// What a unit of so many metres is called: "feet", or its size.
 std::string unit_text(double metres_per_unit);

@@ -17,9 +17,8 @@
 namespace plumb::compare {
 namespace {
 
-constexpr int kFarthest = 3;  // pixels of whole shifts that are tried
-constexpr int kRim = kFarthest + 2;
-constexpr int kLeastSide = 16;
+constexpr int kRim = kFarthestShift_px + 2;
+constexpr int kLeastSide = 2 * kRim + 6;
 
 // Bilinear, (x, y) in samples; the place lies inside.
 double at(const Grid<float>& picture, double x, double y) {
@@ -111,8 +110,8 @@ double squares_at(const Grid<float>& reference, const Grid<float>& candidate, in
 glm::dvec2 best_whole_shift(const Grid<float>& reference, const Grid<float>& candidate) {
   glm::dvec2 best(0.0);
   double least = squares_at(reference, candidate, 0, 0);
-  for (int dj = -kFarthest; dj <= kFarthest; ++dj) {
-    for (int di = -kFarthest; di <= kFarthest; ++di) {
+  for (int dj = -kFarthestShift_px; dj <= kFarthestShift_px; ++dj) {
+    for (int di = -kFarthestShift_px; di <= kFarthestShift_px; ++di) {
       const double here = squares_at(reference, candidate, di, dj);
       if (!(here < least)) continue;
       least = here;
@@ -141,7 +140,8 @@ Descent descend(const Grid<float>& reference, const Grid<float>& candidate, glm:
     const glm::dvec2 change = step(best.there);
     const double longest = std::max(std::abs(change.x), std::abs(change.y));
     if (!(longest < 1.0)) break;  // no small step: the pictures are too different for one
-    Descent next{glm::clamp(best.by + change, -3.5, 3.5), {}};
+    Descent next{glm::clamp(best.by + change, -kFarthestShift_px - 0.5, kFarthestShift_px + 0.5),
+                 {}};
     next.there = sums(reference, candidate, 0.5 * next.by, -0.5 * next.by);
     if (!(next.there.dd < best.there.dd)) break;
     best = next;

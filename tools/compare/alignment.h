@@ -23,6 +23,9 @@ inline constexpr double kJitter_px = 0.2;
 /// 16 x 16 are not shifted. `rms_before` is of the two as blurred as the moved ones are, so that a
 /// blur explains nothing. Of pictures above 200,000 pixels some rows are looked at. Same
 /// bits on any number of threads.
+/// Whole shifts that are tried reach so far, in x and y.
+inline constexpr int kFarthestShift_px = 8;
+
 Shift find_shift(const Grid<float>& reference, const Grid<float>& candidate);
 
 /// Share of the pixels in which the two pictures differ by more than a quarter of a pixel of shift

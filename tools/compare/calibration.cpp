@@ -39,6 +39,7 @@ void Calibrator::add(const PicturePair& pair) {
     if (!each.measured.value) continue;  // equal
     for (CalibratedLimit& limit : found_.limits) {
       if (!(limit.limit == each.limit)) continue;
+      limit.measured = true;
       const bool worse = each.measured.info().more_is_better ? *each.measured.value < limit.reached
                                                              : *each.measured.value > limit.reached;
       if (!worse) continue;
@@ -58,7 +59,9 @@ Calibration Calibrator::finish() const {
   for (CalibratedLimit& each : result.limits) {
     const Metric* metric = find_metric(each.limit.group, each.limit.metric);
     const bool more = metric != nullptr && metric->more_is_better;
-    if (std::isfinite(each.reached)) each.limit.bound = rounded_outwards(each.reached, more);
+    // What no pair had says nothing: the limit stays.
+    if (each.measured && std::isfinite(each.reached))
+      each.limit.bound = rounded_outwards(each.reached, more);
     result.proposed.limits.push_back(each.limit);
   }
   return result;

@@ -17,6 +17,7 @@ struct CalibratedLimit {
   double reached = 0.0;
   std::string worst_pair;  // the candidate that reached it; empty if all are equal
   double built_in = 0.0;   // the base profile's limit
+  bool measured = false;   // of any pair; else the limit stays as it was
 };
 
 struct Calibration {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "compare/measuring.h"
 #include "compare/worst_pixels.h"
@@ -24,6 +25,22 @@ PicturePair masked(const PicturePair& pair) {
     }
   }
   return result;
+}
+
+// Pictures that say nothing of what is masked: what is fitted to all must not see it.
+image::PlaneImage without_masked(const PicturePair& pair, const image::PlaneImage& picture) {
+  image::PlaneImage result = picture;
+  for (image::Plane& plane : result.planes) {
+    for (std::size_t k = 0; k < plane.values.size(); ++k) {
+      if (!pair.judged(k)) plane.values[k] = std::numeric_limits<float>::quiet_NaN();
+    }
+  }
+  return result;
+}
+
+std::vector<Diagnosis> diagnose_judged(const PicturePair& pair) {
+  if (pair.mask.empty()) return diagnose(pair.reference, pair.candidate);
+  return diagnose(without_masked(pair, pair.reference), without_masked(pair, pair.candidate));
 }
 
 bool equal_bits(float a, float b) {
@@ -74,6 +91,38 @@ void judge(const Profile& profile, Comparison& result) {
       result.not_judged.push_back(
           Measurement{limit.group, limit.channel, limit.metric, limit.threshold}.name());
   }
+}
+
+// Whether limits of a group speak of a channel.
+bool speaks_of(const std::string& group, const std::string& limited, const image::Plane& plane,
+               bool coverage_is_alpha) {
+  const std::string& channel = plane.name;
+  const auto is_one_of = [&](std::initializer_list<const char*> names) {
+    return std::find(names.begin(), names.end(), channel) != names.end();
+  };
+  if (group == "channel") return limited == channel;
+  if (group == "colour" || group == "others") return is_one_of({"R", "G", "B", "Y"});
+  if (group == "coverage") return coverage_is_alpha ? channel == "A" : channel == "Z";
+  if (group == "depth") return channel == "Z";
+  if (group == "alpha") return channel == "A";
+  if (group == "position") return channel.starts_with("P.");
+  if (group == "normal") return channel.starts_with("N.");
+  return group == channel;
+}
+
+// A profile that says nothing of a channel passes whatever is in it.
+void note_unlimited(const PicturePair& pair, Comparison& result) {
+  const auto rule = sky_rule(pair.reference, pair.candidate);
+  const bool by_alpha = rule && rule->kind == SkyRule::Kind::Alpha;
+  std::string names;
+  for (const image::Plane& plane : pair.reference.planes) {
+    const bool limited =
+        std::any_of(result.judgements.begin(), result.judgements.end(), [&](const Judgement& each) {
+          return speaks_of(each.limit.group, each.measured.channel, plane, by_alpha);
+        });
+    if (!limited) names += " " + plane.name;
+  }
+  if (!names.empty()) result.notes.push_back("no limit of the profile speaks of:" + names);
 }
 
 std::string with_unit(double value, const char* unit) {
@@ -171,7 +220,7 @@ Comparison compare_pictures(const PicturePair& given, const Profile& profile,
   result.profile = profile.name;
   const bool equal = all_equal(judged);
   if (!equal && (profile.judges_systematic || options.everything))
-    result.systematic = diagnose(judged.reference, judged.candidate);
+    result.systematic = diagnose_judged(judged);
   const Measuring measuring{judged, profile, options, result};
   measure_coverage(measuring);
   measure_colour(measuring);
@@ -183,6 +232,7 @@ Comparison compare_pictures(const PicturePair& given, const Profile& profile,
   measure_others(measuring);
   compare_headers(judged, result);
   judge(profile, result);
+  if (!equal) note_unlimited(judged, result);
   find_reasons(profile, result);
   result.verdict = verdict_of(result, equal);
   result.worst = worst_pixels(judged, result.maps, options.most_listed);

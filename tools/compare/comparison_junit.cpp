@@ -38,6 +38,10 @@ std::string comparison_junit(const Comparison& comparison) {
   return report::to_junit_xml({"plumb compare", {case_of(comparison.candidate_name, comparison)}});
 }
 
+std::string error_junit(const std::string& name, const std::string& message) {
+  return report::to_junit_xml({"plumb compare", {{kClass, name, {}, message}}});
+}
+
 std::string folder_junit(const FolderComparison& folders) {
   report::JUnitSuite suite{"plumb compare", {}};
   for (const FolderPair& pair : folders.pairs)

@@ -12,6 +12,9 @@ namespace plumb::compare {
 /// and all reasons and worst pixels in its text; what has no verdict is an error.
 std::string comparison_junit(const Comparison& comparison);
 
+/// A suite of one case that could not be compared.
+std::string error_junit(const std::string& name, const std::string& message);
+
 /// A case for each pair, each file that is missing (a failure) and each that could not be compared
 /// (an error), in the order of their names.
 std::string folder_junit(const FolderComparison& folders);

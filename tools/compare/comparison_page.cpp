@@ -87,7 +87,7 @@ std::string page_of(const Comparison& comparison, const report::Viewer& viewer,
   page.add_verdict(banner_of(comparison.verdict), verdict_sentence(comparison));
   page.add_list("Why", comparison.reasons);
   if (!comparison.systematic.empty()) page.add_table(systematic_table(comparison));
-  page.add_list("Noted in the files' headers", comparison.notes);
+  page.add_list("Notes", comparison.notes);
   page.add_table(limits_table(comparison));
   page.add_viewer(viewer);
   if (!comparison.worst.empty()) page.add_offenders(worst_list(comparison, kViewerId));

@@ -59,16 +59,17 @@ bool is_kind_map(const ErrorMap& map) { return map.name == "coverage"; }
 image::Rgb8Image coverage_picture(const PicturePair& pair, const CoverageErrors& errors) {
   const int width = pair.width_px();
   image::Rgb8Image picture = blank(width, pair.height_px(), 0);
-  const auto terrain = shown_terrain(pair.reference);
-  require(terrain.has_value(), "a picture without depth and alpha has no coverage{}", "");
-  for (std::size_t k = 0; k < terrain->size(); ++k)
+  const auto rule = sky_rule(pair.reference, pair.candidate);
+  require(rule.has_value(), "a picture without depth and alpha has no coverage{}", "");
+  const std::vector<std::uint8_t> terrain = shown_terrain(pair.reference, *rule);
+  for (std::size_t k = 0; k < terrain.size(); ++k)
     std::fill_n(picture.rgb.begin() + static_cast<std::ptrdiff_t>(3 * k), 3,
-                std::uint8_t{(*terrain)[k] != 0 ? std::uint8_t{60} : std::uint8_t{225}});
+                std::uint8_t{terrain[k] != 0 ? std::uint8_t{60} : std::uint8_t{225}});
   for (const std::size_t k : errors.wrong) {
     const int x = static_cast<int>(k % static_cast<std::size_t>(width));
     const int y = static_cast<int>(k / static_cast<std::size_t>(width));
     const report::Rgb colour =
-        (*terrain)[k] != 0 ? report::Rgb{230, 30, 30} : report::Rgb{220, 40, 220};
+        terrain[k] != 0 ? report::Rgb{230, 30, 30} : report::Rgb{220, 40, 220};
     for (int b = -1; b <= 1; ++b) {
       for (int a = -1; a <= 1; ++a) audit::paint(picture, x + a, y + b, colour);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/check.h"
 
@@ -27,16 +28,62 @@ void all_alike(const std::uint8_t* from, std::size_t stride, int count, int radi
   }
 }
 
+constexpr float kFartherThanGround = 1e9f;
+
+// A depth that ground can have.
+bool is_ground(float z) { return z > 0.0f && z < kFartherThanGround; }
+
+// Of the depth of two pictures.
+struct DepthRange {
+  float low = std::numeric_limits<float>::infinity();
+  float high = -std::numeric_limits<float>::infinity();
+  bool all_ground = true;
+
+  void add(const image::Plane& depth) {
+    for (const float z : depth.values) {
+      low = std::min(low, z);
+      high = std::max(high, z);
+      all_ground = all_ground && is_ground(z);
+    }
+  }
+};
+
 }  // namespace
 
-std::optional<std::vector<std::uint8_t>> shown_terrain(const image::PlaneImage& picture) {
-  const image::Plane* depth = picture.find("Z");
-  const image::Plane* alpha = picture.find("A");
-  if (depth == nullptr && alpha == nullptr) return std::nullopt;
+std::optional<SkyRule> sky_rule(const image::PlaneImage& reference,
+                                const image::PlaneImage& candidate) {
+  DepthRange range;
+  bool has_depth = false;
+  for (const image::PlaneImage* picture : {&reference, &candidate}) {
+    const image::Plane* depth = picture->find("Z");
+    if (depth == nullptr) continue;
+    range.add(*depth);
+    has_depth = true;
+  }
+  const bool has_alpha = reference.find("A") != nullptr && candidate.find("A") != nullptr;
+  if (has_depth && !range.all_ground) return SkyRule{};
+  if (has_alpha) return SkyRule{SkyRule::Kind::Alpha};
+  if (!has_depth) return std::nullopt;
+  const bool is_cleared_window = range.high == 1.0f && range.low < 1.0f;
+  return is_cleared_window ? SkyRule{SkyRule::Kind::Number, 1.0f} : SkyRule{};
+}
+
+std::vector<std::uint8_t> shown_terrain(const image::PlaneImage& picture, const SkyRule& rule) {
+  const image::Plane& plane = *picture.find(rule.kind == SkyRule::Kind::Alpha ? "A" : "Z");
   std::vector<std::uint8_t> shown(picture.size());
-  for (std::size_t k = 0; k < shown.size(); ++k)
-    shown[k] = depth != nullptr ? std::isfinite(depth->values[k]) : alpha->values[k] >= 0.5f;
+  for (std::size_t k = 0; k < shown.size(); ++k) {
+    const float value = plane.values[k];
+    shown[k] = rule.kind == SkyRule::Kind::Alpha    ? value >= 0.5f
+               : rule.kind == SkyRule::Kind::Number ? value != rule.number
+                                                    : is_ground(value);
+  }
   return shown;
+}
+
+std::optional<std::vector<std::uint8_t>> shown_terrain(const image::PlaneImage& picture) {
+  const auto rule = sky_rule(picture, picture);
+  if (!rule) return std::nullopt;
+  return shown_terrain(picture, *rule);
 }
 
 CoverageErrors check_coverage(std::span<const std::uint8_t> reference,

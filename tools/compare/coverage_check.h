@@ -10,8 +10,23 @@
 
 namespace plumb::compare {
 
-/// 1 where a picture shows terrain: depth is finite (Z; +inf is sky), else alpha is at least one
-/// half (A). Nothing where it has neither channel.
+/// What stands for sky.
+struct SkyRule {
+  enum class Kind { NoGround, Alpha, Number } kind = Kind::NoGround;
+  float number = 0.0f;  // of depth
+
+  friend bool operator==(const SkyRule&, const SkyRule&) = default;
+};
+
+/// Depth (Z) that no ground has, where either picture has such: not finite, at or below zero, 1e9
+/// and more; else alpha (A) below one half; else the number 1, if all depth is at most that: window
+/// depth, as it was cleared. Nothing where they have neither channel.
+std::optional<SkyRule> sky_rule(const image::PlaneImage& reference,
+                                const image::PlaneImage& candidate);
+
+/// 1 where a picture shows terrain.
+std::vector<std::uint8_t> shown_terrain(const image::PlaneImage& picture, const SkyRule& rule);
+/// The same by what the picture alone says.
 std::optional<std::vector<std::uint8_t>> shown_terrain(const image::PlaneImage& picture);
 
 /// What the candidate shows where the reference leaves no choice.

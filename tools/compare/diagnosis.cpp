@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "compare/alignment.h"
@@ -32,6 +33,24 @@ constexpr double kMostLeftOfJitter = 0.96;
 constexpr double kMostUnexplained = 0.7;
 constexpr double kFewUnexplained = 0.0005;  // of all pixels: too few to judge a shift by
 
+enum class Subject { Values, Places, Depth };
+
+Subject subject_of(Systematic kind) {
+  switch (kind) {
+    case Systematic::FlippedY:
+    case Systematic::FlippedX:
+    case Systematic::Shift:
+    case Systematic::FieldOfViewAxis:
+      return Subject::Places;
+    case Systematic::DepthScale:
+    case Systematic::WindowDepth:
+    case Systematic::DistanceAsDepth:
+      return Subject::Depth;
+    default:
+      return Subject::Values;
+  }
+}
+
 class Findings {
  public:
   void offer(Systematic kind, double before, double after, std::string text,
@@ -51,7 +70,15 @@ class Findings {
     std::stable_sort(found_.begin(), found_.end(), [](const Diagnosis& a, const Diagnosis& b) {
       return a.rms_after / a.rms_before < b.rms_after / b.rms_before;
     });
-    return std::move(found_);
+    // What explains most of its kind is named; the others explain the same, less well.
+    std::vector<Diagnosis> best;
+    for (Diagnosis& each : found_) {
+      const bool rival = std::any_of(best.begin(), best.end(), [&](const Diagnosis& better) {
+        return subject_of(better.kind) == subject_of(each.kind);
+      });
+      if (!rival) best.push_back(std::move(each));
+    }
+    return best;
   }
 
  private:
@@ -144,6 +171,10 @@ double rms_between(const Grid<float>& a, const Grid<float>& b) {
   return rms_of({PlanePair{a.values(), b.values()}}, [](double x) { return x; });
 }
 
+bool is_farthest(const glm::dvec2& by_px) {
+  return std::max(std::abs(by_px.x), std::abs(by_px.y)) > kFarthestShift_px - 0.5;
+}
+
 // A shift that is more than jitter, and explains the difference.
 std::optional<Shift> true_shift(const Grid<float>& reference, const Grid<float>& candidate) {
   const Shift shift = find_shift(reference, candidate);
@@ -166,11 +197,13 @@ void look_at_places(const Grid<float>& reference, const Grid<float>& candidate,
   findings.offer(Systematic::FlippedX, before, rms_between(flipped(reference, false), candidate),
                  "the candidate is the reference with left and right changed");
   if (const auto shift = true_shift(reference, candidate)) {
-    findings.offer(Systematic::Shift, shift->rms_before, shift->rms_after,
-                   fmt::format("the candidate is the reference shifted by ({:.2f}, {:.2f}) px, to "
-                               "the right and down",
-                               shift->by_px.x, shift->by_px.y),
-                   kMostLeftOfShift);
+    findings.offer(
+        Systematic::Shift, shift->rms_before, shift->rms_after,
+        fmt::format("the candidate is the reference shifted by ({:.2f}, {:.2f}) px, to "
+                    "the right and down{}",
+                    shift->by_px.x, shift->by_px.y,
+                    is_farthest(shift->by_px) ? ", or by more: no farther was looked" : ""),
+        kMostLeftOfShift);
   }
   const double aspect = static_cast<double>(reference.columns()) / reference.rows();
   if (std::abs(aspect - 1.0) < 0.01) return;
@@ -222,7 +255,7 @@ void look_at_depth(const PlaneImage& reference, const PlaneImage& candidate, Fin
         rms_of(inverted, [&](double x) { return window.slope * x + window.intercept; }),
         fmt::format("the candidate's depth is {:.6g} {:+.6g} / the reference's: window depth, {}",
                     window.intercept, window.slope,
-                    window.slope > 0.0 ? "reversed" : "not along the view"));
+                    window.slope > 0.0 ? "reversed, large is near" : "small is near"));
   const std::optional<Camera> camera = image::camera_of(reference.metadata);
   if (!camera || static_cast<std::size_t>(camera->width_px) * camera->height_px != reference.size())
     return;
@@ -232,6 +265,24 @@ void look_at_depth(const PlaneImage& reference, const PlaneImage& candidate, Fin
   offer(Systematic::DistanceAsDepth, before,
         rms_of({PlanePair{distances, b->values}}, [](double x) { return x; }),
         "the candidate's depth is the distance along the ray");
+}
+
+// The least depth above zero.
+double nearest_of(const PlaneImage& picture) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const float z : picture.find("Z")->values) {
+    if (z > 0.0f) nearest = std::min(nearest, double{z});
+  }
+  return nearest;
+}
+
+// Depth as a picture: 1 where it is nearest, 0 for sky; planes are straight in it.
+Grid<float> nearness_of(const PlaneImage& picture, double nearest_m) {
+  Grid<float> nearness(picture.width_px, picture.height_px);
+  const std::vector<float>& depth = picture.find("Z")->values;
+  for (std::size_t k = 0; k < depth.size(); ++k)
+    nearness.values()[k] = depth[k] > 0.0f ? static_cast<float>(nearest_m / depth[k]) : 0.0f;
+  return nearness;
 }
 
 }  // namespace
@@ -257,6 +308,10 @@ std::vector<Diagnosis> diagnose(const PlaneImage& reference, const PlaneImage& c
     look_at_places(luma_of(reference), luma_of(candidate), findings);
   }
   look_at_depth(reference, candidate, findings);
+  if (colour_pairs(reference, candidate).empty() && reference.find("Z") != nullptr) {
+    const double nearest_m = std::min(nearest_of(reference), nearest_of(candidate));
+    look_at_places(nearness_of(reference, nearest_m), nearness_of(candidate, nearest_m), findings);
+  }
   return findings.sorted();
 }
 

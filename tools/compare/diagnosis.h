@@ -32,11 +32,13 @@ struct Diagnosis {
 };
 
 /// The systematic differences that leave at most half of the root mean square difference (shifts: a
-/// little less than all, see the source); the one that explains most first. Nothing for pictures
+/// little less than all, see the source); the one that explains most of each of numbers, places and
+/// depth, the best first. Nothing for pictures
 /// that are equal, or that differ by noise, a level of detail or a hole: no constant, factor, power
 /// or shift explains those.
 ///
-/// Colour is judged by its luma (Rec. 709, of the numbers as stored), depth by Z. The pictures are
+/// Colour is judged by its luma (Rec. 709, of the numbers as stored), depth by Z; where there is no
+/// colour, flips and shifts are looked for in 1 / Z. The pictures are
 /// alike (image size and channels).
 std::vector<Diagnosis> diagnose(const image::PlaneImage& reference,
                                 const image::PlaneImage& candidate);

@@ -20,15 +20,38 @@ bool is_picture(const fs::path& path) {
   return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
 }
 
+namespace {
+
+// A folder of a report of ours, whose pictures are no pictures to compare.
+bool is_report(const fs::path& folder) {
+  return fs::exists(folder / "comparison.json") && fs::exists(folder / "index.html");
+}
+
+// A link to a folder that it lies in.
+bool is_loop(const fs::directory_entry& entry) {
+  std::error_code error;
+  if (!entry.is_symlink(error)) return false;
+  const fs::path target = fs::canonical(entry.path(), error),
+                 place = fs::canonical(entry.path().parent_path(), error);
+  const fs::path from = place.lexically_relative(target);
+  return error || (!from.empty() && *from.begin() != "..");
+}
+
+}  // namespace
+
 std::set<std::string> pictures_below(const std::string& folder) {
   std::set<std::string> names;
   std::error_code error;
-  fs::recursive_directory_iterator each(folder, error);
+  constexpr auto kOptions = fs::directory_options::follow_directory_symlink;
+  fs::recursive_directory_iterator each(folder, kOptions, error);
   if (error) input_error("cannot read the folder '{}': {}", folder, error.message());
   for (; each != fs::recursive_directory_iterator(); each.increment(error)) {
     if (error) input_error("cannot read the folder '{}': {}", folder, error.message());
+    if (each->is_directory() && (is_report(each->path()) || is_loop(*each)))
+      each.disable_recursion_pending();
+    // By its name here, wherever a link leads.
     if (each->is_regular_file() && is_picture(each->path()))
-      names.insert(fs::relative(each->path(), folder).generic_string());
+      names.insert(each->path().lexically_relative(folder).generic_string());
   }
   return names;
 }

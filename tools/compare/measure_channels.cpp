@@ -26,10 +26,12 @@ void add_plain(const Measuring& m, const std::string& group, const std::string& 
     }
     m.add(std::move(measurement));
   };
-  add("largest", errors.largest);
-  add("mean", errors.mean);
-  add("rmse", errors.root_mean_square);
-  add("psnr", errors.psnr_db());
+  if (errors.compared > 0) {
+    add("largest", errors.largest);
+    add("mean", errors.mean);
+    add("rmse", errors.root_mean_square);
+    add("psnr", errors.psnr_db());
+  }
   for (const double threshold : m.thresholds(group, channel)) {
     const std::size_t over = count_judged(m.pair, [&](std::size_t k) {
       return std::abs(double{candidate.values[k]} - double{reference.values[k]}) > threshold;
@@ -70,16 +72,19 @@ PlaneErrors without_sky(const Measuring& m, const image::Plane& reference,
 
 void measure_coverage(const Measuring& m) {
   if (!m.wants_any("coverage", {"holes", "overshoot"})) return;
-  const auto reference = shown_terrain(m.pair.reference),
-             candidate = shown_terrain(m.pair.candidate);
-  if (!reference || !candidate) return;
-  CoverageErrors errors = check_coverage(*reference, *candidate, m.pair.width_px(),
+  const auto rule = sky_rule(m.pair.reference, m.pair.candidate);
+  if (!rule) return;
+  if (rule->kind == SkyRule::Kind::Number)
+    m.result.notes.push_back(fmt::format("coverage: Z = {} is taken for sky", rule->number));
+  const auto reference = shown_terrain(m.pair.reference, *rule),
+             candidate = shown_terrain(m.pair.candidate, *rule);
+  CoverageErrors errors = check_coverage(reference, candidate, m.pair.width_px(),
                                          m.pair.height_px(), m.profile.options.band_px);
   std::vector<float> map(m.pair.size(), 0.0f);
   std::optional<std::size_t> hole, overshoot;
   for (const std::size_t k : errors.wrong) {
-    map[k] = (*reference)[k] != 0 ? 1.0f : 2.0f;
-    std::optional<std::size_t>& first = (*reference)[k] != 0 ? hole : overshoot;
+    map[k] = reference[k] != 0 ? 1.0f : 2.0f;
+    std::optional<std::size_t>& first = reference[k] != 0 ? hole : overshoot;
     if (!first) first = k;
   }
   m.add("coverage", "holes", static_cast<double>(errors.holes), hole);
@@ -112,6 +117,13 @@ void measure_others(const Measuring& m) {
   if (std::min(m.pair.width_px(), m.pair.height_px()) < kLeastSide_px)
     input_error("'{}': the rule {} needs pictures of at least {} x {} pixels",
                 m.pair.candidate_name, wanted.front().name, kLeastSide_px, kLeastSide_px);
+  for (const OtherRule& rule : wanted) {
+    if (rule.name == std::string("idiff") && m.pair.reference.find("A") != nullptr)
+      input_error(
+          "'{}': the rule idiff compares alpha as well, which is not done here: expected "
+          "pictures without it",
+          m.pair.candidate_name);
+  }
   const std::vector<OtherVerdict> verdicts =
       judge_by(wanted, bytes_of(m.pair.reference), bytes_of(m.pair.candidate));
   for (std::size_t k = 0; k < wanted.size(); ++k) {

@@ -59,11 +59,13 @@ void measure_numbers(const Measuring& m, const std::vector<const image::Plane*>&
     all.mean = sum / static_cast<double>(all.compared);
     all.root_mean_square = std::sqrt(squares / static_cast<double>(all.compared));
   }
-  m.add(kGroup, "largest", all.largest,
-        all.differing > 0 ? std::optional(all.worst) : std::nullopt);
-  m.add(kGroup, "mean", all.mean);
-  m.add(kGroup, "rmse", all.root_mean_square);
-  m.add(kGroup, "psnr", all.psnr_db());
+  if (all.compared > 0) {  // else nothing is known of them, least of all that they are equal
+    m.add(kGroup, "largest", all.largest,
+          all.differing > 0 ? std::optional(all.worst) : std::nullopt);
+    m.add(kGroup, "mean", all.mean);
+    m.add(kGroup, "rmse", all.root_mean_square);
+    m.add(kGroup, "psnr", all.psnr_db());
+  }
   for (const double threshold : m.thresholds(kGroup)) {
     const std::size_t over =
         count_judged(m.pair, [&](std::size_t k) { return double{difference[k]} > threshold; });

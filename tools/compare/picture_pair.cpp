@@ -37,6 +37,10 @@ void require_comparable(const PicturePair& pair) {
   if (!pair.mask.empty() && pair.mask.size() != pair.size())
     input_error("the mask has {} pixels, expected {} x {} as '{}' has", pair.mask.size(),
                 a.width_px, a.height_px, pair.reference_name);
+  if (!pair.mask.empty() &&
+      std::find(pair.mask.begin(), pair.mask.end(), std::uint8_t{1}) == pair.mask.end())
+    input_error("the mask is black everywhere: nothing of '{}' is left to be judged",
+                pair.candidate_name);
 }
 
 std::vector<const image::Plane*> colour_planes(const image::PlaneImage& picture) {

@@ -71,7 +71,9 @@ std::optional<double> bound_in(const audit::TomlValue& value, const Metric& metr
     if (*text == "none") return std::nullopt;
     input_error("{}: expected a number, or \"none\" to drop an inherited limit", value.where);
   }
-  return metric.more_is_better ? audit::number_in(value) : at_least_zero(value);
+  const double bound = metric.more_is_better ? audit::number_in(value) : at_least_zero(value);
+  if (!std::isfinite(bound)) input_error("{}: a limit must be finite, got {}", value.where, bound);
+  return bound;
 }
 
 // { above = THRESHOLD, limit = BOUND }
@@ -155,6 +157,8 @@ Profile inherited(const audit::TomlValue& value, const fs::path& beside, int dep
     input_error("{}: more than {} files inherit from one another", value.where, kDeepest);
   if (!name.ends_with(".toml")) return find_profile(name);
   const fs::path path = fs::path(name).is_absolute() ? fs::path(name) : beside / name;
+  if (!fs::is_regular_file(path))
+    input_error("{}: there is no profile '{}' to inherit from", value.where, path.string());
   return parse(audit::read_text_file(path.string(), "profile"), path, depth + 1);
 }
 

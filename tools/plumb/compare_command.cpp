@@ -58,6 +58,14 @@ compare::CompareOptions compare_options(const CompareCommandOptions& options) {
   return result;
 }
 
+void write_junit(const CompareCommandOptions& options, const std::string& xml) {
+  if (options.junit == "-") {
+    std::cout << xml;
+  } else if (!options.junit.empty()) {
+    write_file_atomically(options.junit, xml);
+  }
+}
+
 int compare_files(const CompareCommandOptions& options, const compare::Profile& profile,
                   const Invocation& invocation) {
   Progress progress;
@@ -72,9 +80,9 @@ int compare_files(const CompareCommandOptions& options, const compare::Profile& 
     progress.step("writing the report");
     files = compare::write_comparison(options.output, pair, comparison, invocation.command_line());
   }
-  if (!options.junit.empty())
-    write_file_atomically(options.junit, compare::comparison_junit(comparison));
+  write_junit(options, compare::comparison_junit(comparison));
   progress.finish();
+  if (options.junit == "-") return exit_status(comparison.verdict);
   if (options.json) {
     std::cout << compare::comparison_json(comparison, invocation.command_line());
   } else {
@@ -124,8 +132,9 @@ int compare_folders(const CompareCommandOptions& options, const compare::Profile
   }
   if (!options.output.empty())
     compare::write_folder_report(options.output, folders, invocation.command_line());
-  if (!options.junit.empty()) write_file_atomically(options.junit, compare::folder_junit(folders));
+  write_junit(options, compare::folder_junit(folders));
   progress.finish();
+  if (options.junit == "-") return exit_status(folders.verdict());
   if (options.json) {
     std::cout << compare::folder_json(folders, invocation.command_line());
   } else {
@@ -146,6 +155,8 @@ int run_compare(const CompareCommandOptions& options, const Invocation& invocati
                           options.seeds, options.with_others, options.json},
                          profile, invocation);
   }
+  if (options.junit == "-" && options.json)
+    input_error("--junit - and --json: there is one standard output");
   if (options.candidate.empty())
     input_error("compare needs a REFERENCE and a CANDIDATE, two pictures or two folders");
   const bool folder = fs::is_directory(options.reference);
@@ -153,8 +164,15 @@ int run_compare(const CompareCommandOptions& options, const Invocation& invocati
     input_error("'{}' is a {}, '{}' is not: expected two pictures or two folders",
                 folder ? options.reference : options.candidate, "folder",
                 folder ? options.candidate : options.reference);
-  return folder ? compare_folders(options, profile, invocation)
-                : compare_files(options, profile, invocation);
+  if (folder) return compare_folders(options, profile, invocation);
+  try {
+    return compare_files(options, profile, invocation);
+  } catch (const InputError& error) {
+    // A test run must not find the verdict of an earlier one.
+    if (!options.junit.empty())
+      write_junit(options, compare::error_junit(options.candidate, error.what()));
+    throw;
+  }
 }
 
 }  // namespace
@@ -199,7 +217,8 @@ Command compare_command() {
                       "Write a self-contained page, JSON and pictures into this folder; of "
                       "--calibrate: the profile into this .toml file; of --detection: pages of "
                       "what is planted, and planted.png");
-    options.text(values->junit, "--junit", "FILE", "Write the verdicts as JUnit XML");
+    options.text(values->junit, "--junit", "FILE",
+                 "Write the verdicts as JUnit XML; - is standard output, in the table's place");
     add_json_option(options, values->json);
     add_threads_option(options, values->threads);
     return [values](const Invocation& invocation) { return run_compare(*values, invocation); };

@@ -109,7 +109,15 @@ std::string detection_text(const DetectionOutcome& outcome) {
     text += limits_text(*outcome.calibration);
   }
   for (const NamedTable& named : outcome.tables) text += table_text(named);
-  return text + (outcome.good() ? "\nEvery defect is caught, and nothing harmless.\n"
+  const bool all_planted =
+      std::all_of(outcome.tables.begin(), outcome.tables.end(), [](const NamedTable& named) {
+        return std::all_of(named.table.rows.begin(), named.table.rows.end(),
+                           [](const DetectionRow& row) { return row.pictures > 0; });
+      });
+  return text + (outcome.good() ? all_planted
+                                      ? "\nEvery defect is caught, and nothing harmless.\n"
+                                      : "\nEvery defect that was planted is caught, and nothing "
+                                        "harmless.\n"
                                 : "\nNot as it should be where marked with !\n");
 }
 

@@ -157,7 +157,7 @@ std::vector<std::string> stray_files(const GoldenManifest& manifest) {
   std::vector<std::string> strays;
   for (fs::recursive_directory_iterator each(manifest.folder), end; each != end; ++each) {
     if (expected.contains(each->path().lexically_normal())) continue;
-    strays.push_back(fs::relative(each->path(), manifest.folder).string());
+    strays.push_back(each->path().lexically_relative(manifest.folder).string());
     each.disable_recursion_pending();
   }
   std::sort(strays.begin(), strays.end());

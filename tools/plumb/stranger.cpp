@@ -138,14 +138,15 @@ void add_stranger_options(Options& options, StrangerOptions& stranger) {
   options.text(stranger.depth_channel, "--depth-channel", "NAME",
                "Its channel (Z, or the only one)");
   options.number(stranger.depth_scale, "--depth-scale", "FACTOR",
-                 "Metres per unit of linear depth or distance (1)");
+                 "Metres per unit of linear depth or distance (1; negative where the numbers are)");
   options.number(stranger.depth_sky, "--depth-sky", "V",
                  "A number that means sky, beside +inf and what the far end of window depth is "
                  "cleared to");
-  options.integer(stranger.depth_bits, "--depth-bits", "N",
-                  "It was copied from a buffer of so many bits, 24 or 16, whose steps are coarser "
-                  "than the file's",
-                  1, 32);
+  options.integer(
+      stranger.depth_bits, "--depth-bits", "N",
+      "It was copied from a buffer of so many bits, 16, 24 or 32, whose steps are coarser "
+      "than the file's",
+      1, 32);
   options.choice(
       stranger.depth_raw, "--depth-raw", {"little", "big"},
       "It holds nothing but floats of this byte order, as many as the camera has pixels");
@@ -173,7 +174,10 @@ void require_consistent(const StrangerOptions& s, const std::vector<std::string>
   only_of(!s.depth_raw.empty(), "--depth-raw", s.is_depth(), "--depth");
   only_of(s.trusted, "--trust", s.is_given(), "--mesh or --depth");
   require_positive(s.scale, "--scale");
-  require_positive(s.depth_scale, "--depth-scale");
+  if (s.depth_scale && !(*s.depth_scale != 0.0 && std::isfinite(*s.depth_scale)))
+    input_error("--depth-scale {}: expected a number, not zero", *s.depth_scale);
+  if (s.depth_bits != 0 && s.depth_bits != 16 && s.depth_bits != 24 && s.depth_bits != 32)
+    input_error("--depth-bits {}: expected 16, 24 or 32", s.depth_bits);
   if (!s.depth_raw.empty() && !s.depth_channel.empty())
     input_error("--depth-channel: raw floats have no channels");
   if (!s.is_given()) return;

@@ -107,6 +107,52 @@ TEST(DepthFit, NamesTheUnit) {
   });
 }
 
+TEST(DepthFit, NamesWhatStandsForSky) {
+  const auto there = ground("generate:alpine?size=129&seed=7");
+  const Camera camera = there->camera("oblique", 160, 90);
+  const HitImage hits = there->truth.caster.cast_frame(camera);
+  for (const float sky : {0.0f, -1.0f, 100000.0f, 65504.0f}) {
+    image::DepthBuffer buffer = written(hits, camera, {});
+    for (float& value : buffer.values) value = std::isinf(value) ? sky : value;
+    const auto found = misfit(*there, buffer, {}, camera);
+    ASSERT_TRUE(found) << sky;
+    EXPECT_NE(found->text.find(fmt::format("(--depth-sky {:g})", sky)), std::string::npos)
+        << found->text;
+    DepthMeaning told;
+    told.sky = sky;
+    EXPECT_FALSE(misfit(*there, buffer, told, camera)) << sky;
+  }
+}
+
+TEST(DepthFit, NamesDepthsThatAreNegative) {
+  for_every_view([](const Ground& there, const Camera& camera) {
+    DepthMeaning negative;
+    negative.metres_per_unit = -1.0;
+    expect_named(there, camera, {camera, negative}, "negative depths (--depth-convention linear");
+    const image::DepthBuffer buffer =
+        written(there.truth.caster.cast_frame(camera), camera, negative);
+    EXPECT_FALSE(misfit(there, buffer, negative, camera));
+  });
+}
+
+// A camera that is a little beside the stated one is found to the digits that floats leave.
+TEST(DepthFit, FindsTheCameraThatAFrameWasSeenThrough) {
+  const auto there = ground("generate:alpine?size=257&seed=7");
+  const Camera camera = there->camera("oblique", 160, 90);
+  Camera east = camera;
+  east.eye_m += glm::dvec3(150.0, 0.0, -40.0);
+  expect_named(*there, camera, {east, {}}, "its eye stands (150, 0, -40) m from the stated place");
+  Camera wide = camera;
+  wide.gamma_h *= 0.9;
+  wide.gamma_v *= 0.9;
+  expect_named(*there, camera, {wide, {}}, "angle of view is 1.111 times the stated one's");
+  Camera rolled = camera;
+  const double c = std::sqrt(0.99), s = 0.1;  // 5.74 degrees
+  rolled.right = c * camera.right + s * camera.up;
+  rolled.up = c * camera.up - s * camera.right;
+  expect_named(*there, camera, {rolled, {}}, "it is turned by 5.7");
+}
+
 TEST(DepthFit, NamesTheOtherAxissFieldOfView) {
   for_every_view([](const Ground& there, const Camera& camera) {
     const double aspect = static_cast<double>(camera.width_px) / camera.height_px;
@@ -189,9 +235,9 @@ TEST(DepthFit, NamesOtherNearAndFarPlanes) {
     Camera other = camera;
     other.near_m = 10.0;
     other.far_m = 50000.0;
-    expect_named(there, camera, {other, {DepthConvention::Window}}, "near plane at 10 m",
+    expect_named(there, camera, {other, {DepthConvention::Window}}, "near plane lies at 10 m",
                  {DepthConvention::Window});
-    expect_named(there, camera, {other, {DepthConvention::ReverseZ}}, "near plane at 10 m",
+    expect_named(there, camera, {other, {DepthConvention::ReverseZ}}, "near plane lies at 10 m",
                  {DepthConvention::ReverseZ});
   });
 }

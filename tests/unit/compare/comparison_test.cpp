@@ -158,8 +158,9 @@ TEST(Comparison, CountsNamesThatAreConfused) {
   const Comparison comparison = compare_pictures(pair, measuring());
   EXPECT_EQ(measured(comparison, "id.differing_share"), 2.5);
   EXPECT_EQ(measured(comparison, "id.confused_pairs"), 2.0);
-  ASSERT_EQ(comparison.notes.size(), 2u);
+  ASSERT_EQ(comparison.notes.size(), 3u);
   EXPECT_EQ(comparison.notes.front(), "id 3 of the reference is 7 in 4 pixels");
+  EXPECT_EQ(comparison.notes.back(), "no limit of the profile speaks of: id");
 }
 
 TEST(Comparison, CountsNumbersThatAreNone) {
