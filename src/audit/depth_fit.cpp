@@ -134,8 +134,8 @@ class FrameFit {
       reading.meaning.convention = convention;
       reading.meaning.metres_per_unit = -stated_.meaning.metres_per_unit;
       reading.text = fmt::format(
-          "its numbers are negative {} (--depth-convention {} --depth-scale "
-          "{:g}){}",
+          "its numbers are {} {} (--depth-convention {} --depth-scale {:g}){}",
+          reading.meaning.metres_per_unit < 0.0 ? "negative" : "positive",
           convention == DepthConvention::Linear ? "depths" : "distances", name_of(convention),
           reading.meaning.metres_per_unit, sky_is_told ? ", and " + sky_text : "");
       try_reading(reading);

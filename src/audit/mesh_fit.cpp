@@ -11,6 +11,7 @@
 #include "audit/coarse_truth.h"
 #include "audit/depth_readings.h"
 #include "audit/mesh_placing.h"
+#include "audit/mesh_shift.h"
 #include "audit/plan_fit.h"
 #include "core/parallel.h"
 
@@ -21,6 +22,7 @@ constexpr std::size_t kMostVertices = 4096;  // looked at
 constexpr std::size_t kFewVertices = 256;    // of them, to choose among placings
 constexpr double kLeastArea = 0.01;          // of the terrain's
 constexpr double kLeastOver = 0.9;           // of the vertices
+constexpr double kLeastFactor = 0.01;        // of heights: a level plane explains nothing
 constexpr double kLikeTerrain = 0.25;        // of what a level plane is off by
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -41,6 +43,13 @@ struct Fit {
   double misfit = 1.0;
   bool is_likely = false;
 };
+
+// What was fitted is known to a millimetre, not to all its digits.
+glm::dvec3 rounded(const glm::dvec3& offset, const glm::dvec3& fitted) {
+  if (fitted == glm::dvec3(0.0)) return offset;
+  const auto to_millimetres = [](double x) { return 1e-3 * std::round(1e3 * x) + 0.0; };
+  return {to_millimetres(offset.x), to_millimetres(offset.y), to_millimetres(offset.z)};
+}
 
 class MeshFit {
  public:
@@ -65,23 +74,23 @@ class MeshFit {
   std::optional<Misfit> misfit() {
     const std::vector<glm::dvec3> points = placed(vertices_, {});
     const PlanFit stated = plan_fit(truth_, points);
-    // Wherever else it reaches, it is the terrain's where it stands over it.
-    if (stated.over_terrain >= kFewestPoints && area_over(points) > 0.0 &&
-        stated.off_m <= kLikeTerrain * stated.relief_m + truth_.slack_m)
-      return std::nullopt;
-    before_ = fit_of(points).misfit;
-    if (before_ * relief_m_ <= truth_.slack_m) return std::nullopt;
     const bool most_is_within =
         2 * count_within(points) >= static_cast<std::int64_t>(points.size());
+    // Wherever else it reaches, it is the terrain's where it stands over it.
+    if (stated.over_terrain >= kFewestPoints && area_over(points) > 0.0 &&
+        stated.off_m <= kLikeTerrain * stated.relief_m + truth_.slack_m) {
+      if (!look_at_shift(stated.off_m, {})) return std::nullopt;
+      return Misfit{text_of_fit(before_text(stated)), !most_is_within};
+    }
+    before_ = fit_of(points).misfit;
+    if (before_ * relief_m_ <= truth_.slack_m) return std::nullopt;
     if (vertices_.size() >= static_cast<std::size_t>(kFewestPoints)) {
       look_at_placings();
       if (text_.empty()) look_at_heights(stated);
+      if (text_.empty() && stated.over_terrain >= kFewestPoints) look_at_shift(stated.off_m, {});
     }
     if (!text_.empty()) {
-      return Misfit{fmt::format("the mesh fits if {}: its vertices then stand {:.3g} m off the "
-                                "terrain in the mean{}",
-                                text_, relief_m_ * best_, before_text(stated)),
-                    !most_is_within};
+      return Misfit{text_of_fit(before_text(stated)), !most_is_within};
     }
     if (most_is_within || is_of_terrain(points, stated)) return std::nullopt;
     return Misfit{
@@ -94,6 +103,26 @@ class MeshFit {
   }
 
  private:
+  std::string text_of_fit(const std::string& before) const {
+    return fmt::format(
+        "the mesh fits if {}: its vertices then stand {:.3g} m off the terrain in the mean{}",
+        text_, relief_m_ * best_, before);
+  }
+
+  // A place a little beside a placing that explains nearly all that it leaves.
+  bool look_at_shift(double left_m, const Placing& placing) {
+    const std::vector<glm::dvec3> points = placed(vertices_, placing);
+    if (points.size() < static_cast<std::size_t>(kFewestPoints) || !(left_m > truth_.slack_m))
+      return false;
+    const MeshShift shift = shift_to_terrain(truth_, points);
+    std::vector<glm::dvec3> moved = points;
+    for (glm::dvec3& p : moved) p += shift.by_m;
+    if (!(shift.off_m * kFarBetter <= left_m) || !fit_of(moved).is_likely) return false;
+    best_ = shift.off_m / relief_m_;
+    text_ = text_of(placing, shift.by_m);
+    return true;
+  }
+
   std::string before_text(const PlanFit& stated) const {
     if (stated.over_terrain == 0) return ", as stated beside it";
     return fmt::format(", as stated {:.3g} m (a level plane: {:.3g} m)", stated.off_m,
@@ -192,6 +221,7 @@ class MeshFit {
       fits[at] = fit_of(placed(few_, placings[at]));
     });
     int changes = 0;
+    Placing chosen;
     for (int wanted = 1; wanted <= 2; ++wanted) {
       for (std::size_t k = 0; k < placings.size(); ++k) {
         if (placings[k].changes() != wanted || !fits[k].is_likely ||
@@ -204,8 +234,10 @@ class MeshFit {
         best_ = whole.misfit;
         changes = wanted;
         text_ = text_of(placings[k]);
+        chosen = placings[k];
       }
     }
+    if (changes > 0) look_at_shift(relief_m_ * best_, chosen);
   }
 
   void look_at_heights(const PlanFit& stated) {
@@ -213,7 +245,8 @@ class MeshFit {
     const bool by_constant = stated.spread_m * kFarBetter <= stated.off_m &&
                              stated.spread_m <= kFarBetter * stated.left_m + truth_.slack_m;
     const double left = by_constant ? stated.spread_m : stated.left_m;
-    if (!(left * kFarBetter <= stated.off_m)) return;
+    const bool is_level = !by_constant && std::abs(stated.factor) < kLeastFactor;
+    if (is_level || !(left * kFarBetter <= stated.off_m)) return;
     best_ = left / relief_m_;
     text_ = by_constant
                 ? fmt::format("its heights are {} by {:.6g} m",
@@ -224,15 +257,15 @@ class MeshFit {
                       stated.factor, stated.offset_m);
   }
 
-  std::string text_of(const Placing& placing) const {
+  std::string text_of(const Placing& placing, const glm::dvec3& shift = glm::dvec3(0.0)) const {
     std::vector<std::string> parts;
     if (!(placing.axes == Axes{})) parts.push_back(axes_text(placing.axes, options_.up_axis));
     if (placing.scale != 1.0) {
       const double unit = placing.scale * options_.metres_per_unit;
       parts.push_back(fmt::format("its unit is {} (--scale {:.10g})", unit_text(unit), unit));
     }
-    const glm::dvec3 offset = offset_of(placing);
-    if (placing.place != Place::AsGiven && offset != offset_)
+    const glm::dvec3 offset = rounded(offset_of(placing) + shift, shift);
+    if ((placing.place != Place::AsGiven || shift != glm::dvec3(0.0)) && offset != offset_)
       parts.push_back(
           fmt::format("its (0, 0, 0) lies at ({0:.10g}, {1:.10g}, {2:.10g}) m (--offset "
                       "{0:.10g},{1:.10g},{2:.10g})",

@@ -185,7 +185,9 @@ TEST_F(DepthAudit, RefusesFilesAndOptionsInOneLine) {
   expect_one_line(audit(file, {"--method", "full"}), "--method: nothing is drawn by a method");
   expect_one_line(audit(file, {"--up", "y"}), "--up belongs to --mesh");
   expect_one_line(audit(file, {"--depth-convention", "w-buffer"}), "linear");
-  expect_one_line(audit(file, {"--depth-scale", "-1"}), "--depth-scale -1: expected a positive");
+  expect_one_line(audit(file, {"--depth-scale", "-1"}), "its numbers are positive depths");
+  expect_one_line(audit(file, {"--depth-scale", "0"}), "--depth-scale 0: expected a number, not");
+  expect_one_line(audit(file, {"--depth-bits", "12"}), "--depth-bits 12: expected 16, 24 or 32");
   expect_one_line(audit(file, {"--depth-scale", "2", "--depth-convention", "d3d"}),
                   "--depth-scale is of --depth-convention linear and distance");
   const std::vector<std::string> path{"audit",   kTerrain,   "--size",
