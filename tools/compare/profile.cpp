@@ -29,8 +29,9 @@ Profile tolerant() {
                     {"coverage", "", "overshoot", {}, 0.0},
                     {"colour", "", "isolated_largest", {}, 64.0 / 255.0},
                     {"colour", "", "isolated_pixels", {}, 20.0},
-                    {"colour", "", "unexplained_share", {}, 0.5},
+                    {"colour", "", "unexplained_share", {}, 0.25},
                     {"depth", "", "unexplained_share", {}, 0.5},
+                    {"depth", "", "isolated_pixels", {}, 10.0},
                     {"normal", "", "unmatched_share", {}, 5.0}};
   return profile;
 }

@@ -16,7 +16,7 @@ struct MeasureOptions {
   double shift_tolerance = 0.0;                  // of `unmatched`, every channel, as stored
   int band_px = 1;                               // of coverage, in [0, 64]
   double unexplained_above = 2.0 / 255.0;        // of `unexplained_share`, display numbers
-  double isolated_above = 24.0 / 255.0;          // of `isolated_pixels`, display numbers
+  double isolated_above = 28.0 / 255.0;          // of `isolated_pixels`, display numbers
   double depth_above = 1e-3;  // of depth's `unexplained_share` and `isolated_pixels`, relative
 
   friend bool operator==(const MeasureOptions&, const MeasureOptions&) = default;

@@ -94,12 +94,15 @@ TEST(Diagnosis, NamesWhereThePictureWent) {
   EXPECT_EQ(found(reference, upside_down), Systematic::FlippedY);
   EXPECT_EQ(found(reference, mirrored), Systematic::FlippedX);
   // Pixel p shows what stood at p + by: the candidate is moved by -by.
-  for (const glm::dvec2 by : {glm::dvec2(0.5, 0.5), glm::dvec2(-0.5, 0.0), glm::dvec2(0.0, 1.0),
-                              glm::dvec2(-2.0, 3.0), glm::dvec2(0.3, 0.0)}) {
+  for (const glm::dvec2 by :
+       {glm::dvec2(0.5, 0.5), glm::dvec2(-0.5, 0.0), glm::dvec2(0.0, 1.0), glm::dvec2(-2.0, 3.0),
+        glm::dvec2(0.45, 0.0), glm::dvec2(6.0, -5.0)}) {
     const std::vector<Diagnosis> all = diagnose(reference, picture(by));
     ASSERT_FALSE(all.empty()) << by.x << ", " << by.y;
     EXPECT_EQ(all.front().kind, Systematic::Shift);
   }
+  // As much as samplers may be apart.
+  EXPECT_TRUE(diagnose(reference, picture(glm::dvec2(0.2, -0.2))).empty());
   const double aspect = static_cast<double>(kWidth) / kHeight;
   EXPECT_EQ(found(reference, picture(glm::dvec2(0.0), aspect)), Systematic::FieldOfViewAxis);
   EXPECT_EQ(found(reference, picture(glm::dvec2(0.0), 1.0 / aspect)), Systematic::FieldOfViewAxis);
