@@ -100,6 +100,40 @@ TEST_F(CompareCommand, NothingIsJudgedUnderAMask) {
       run_plumb({"compare", a, b, "--mask", picture("m.png", hill({}, 32))});
   EXPECT_EQ(wrong.status, 2);
   EXPECT_NE(wrong.err.find("32 x 36 pixels"), std::string::npos) << wrong.err;
+  std::fill(mask.rgb.begin(), mask.rgb.end(), std::uint8_t{0});
+  const CommandResult nothing = run_plumb({"compare", a, b, "--mask", picture("black.png", mask)});
+  EXPECT_EQ(nothing.status, 2);
+  EXPECT_NE(nothing.err.find("black everywhere"), std::string::npos) << nothing.err;
+}
+
+// A link is the name that it has, wherever it leads; a report among the pictures is none of them.
+TEST_F(CompareCommand, GoesByTheNamesOfLinksAndLeavesReportsOut) {
+  picture("ref/a.png");
+  picture("out/b.png");
+  picture("elsewhere/c.png", hill({{5, 30}}));
+  fs::create_symlink("../elsewhere/c.png", folder_.file("out/a.png"));
+  fs::create_directory_symlink("../elsewhere", folder_.file("ref/deep"));
+  fs::create_directory_symlink("../elsewhere", folder_.file("out/deep"));
+  fs::create_directory_symlink("..", folder_.file("out/deep/up"));
+  const std::string ref = folder_.file("ref"), out = folder_.file("out"),
+                    report = folder_.file("out/report");
+  for (int run = 0; run < 2; ++run) {
+    const json printed = json::parse(run_plumb({"compare", ref, out, "--json", "-o", report}).out);
+    ASSERT_EQ(printed["pairs"].size(), 2u);
+    EXPECT_EQ(printed["pairs"][0]["name"], "a.png");
+    EXPECT_EQ(printed["pairs"][1]["name"], "deep/c.png");
+    EXPECT_EQ(printed["missing"].size(), 1u);
+  }
+}
+
+TEST_F(CompareCommand, WritesJUnitOfWhatCannotBeComparedAndToStandardOutput) {
+  const std::string a = picture("a.png"), xml = folder_.file("junit.xml");
+  EXPECT_EQ(run_plumb({"compare", a, folder_.file("none.png"), "--junit", xml}).status, 2);
+  EXPECT_NE(text_of(xml).find("<error"), std::string::npos) << text_of(xml);
+  const CommandResult printed = run_plumb({"compare", a, a, "--junit", "-"});
+  EXPECT_EQ(printed.status, 0);
+  EXPECT_EQ(printed.out.rfind("<?xml", 0), 0u) << printed.out;
+  EXPECT_EQ(run_plumb({"compare", a, a, "--junit", "-", "--json"}).status, 2);
 }
 
 TEST_F(CompareCommand, JudgesByAProfileOfOnesOwnAndByThoseOfOthers) {

@@ -163,6 +163,40 @@ TEST(Comparison, CountsNamesThatAreConfused) {
   EXPECT_EQ(comparison.notes.back(), "no limit of the profile speaks of: id");
 }
 
+// What is masked must not hide that all the rest is a constant brighter.
+TEST(Comparison, NamesWhatIsSystematicBesideAMask) {
+  PicturePair pair = twice(flat({{"R", 0.5f}, {"G", 0.4f}, {"B", 0.3f}}));
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      for (const char* channel : {"R", "G", "B"}) {
+        at(pair.reference, channel, x, y) += 0.013f * static_cast<float>((3 * x + 7 * y) % 11);
+        at(pair.candidate, channel, x, y) = at(pair.reference, channel, x, y) + 0.01f;
+      }
+    }
+  }
+  pair.mask.assign(pair.size(), 1);
+  std::fill_n(pair.mask.begin(), 3 * pair.size() / 4, std::uint8_t{0});
+  const Comparison comparison = compare_pictures(pair, default_profile());
+  ASSERT_EQ(comparison.systematic.size(), 1u);
+  EXPECT_EQ(comparison.systematic.front().kind, Systematic::Offset);
+  EXPECT_EQ(comparison.verdict, CompareVerdict::Fails);
+  pair.mask.assign(pair.size(), 0);
+  EXPECT_THROW(compare_pictures(pair, default_profile()), InputError);
+}
+
+// Nothing that is a number is nothing that is equal.
+TEST(Comparison, HoldsNoLimitByNumbersThatAreNone) {
+  PicturePair pair = twice(flat({{"R", 0.5f}, {"G", 0.4f}, {"B", 0.3f}}));
+  for (image::Plane& plane : pair.candidate.planes)
+    std::fill(plane.values.begin(), plane.values.end(), kNan);
+  Profile profile = measuring();
+  profile.judges_numbers = false;
+  profile.limits = {{"colour", "", "psnr", {}, 40.0}, {"colour", "", "largest", {}, 0.1}};
+  const Comparison comparison = compare_pictures(pair, profile);
+  EXPECT_EQ(comparison.verdict, CompareVerdict::None);
+  EXPECT_EQ(comparison.not_judged.size(), 2u);
+}
+
 TEST(Comparison, CountsNumbersThatAreNone) {
   PicturePair pair = twice(flat({{"R", 0.5f}, {"G", 0.5f}, {"B", 0.5f}}));
   at(pair.reference, "R", 1, 1) = at(pair.candidate, "R", 1, 1) = kNan;

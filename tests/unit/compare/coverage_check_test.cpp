@@ -81,5 +81,24 @@ TEST(CoverageCheck, ReadsDepthBeforeAlpha) {
   EXPECT_EQ(*shown_terrain(picture), (Coverage{0, 1, 0}));
 }
 
+TEST(CoverageCheck, KnowsWhatStandsForSky) {
+  const auto depths = [](std::vector<float> z) {
+    return image::PlaneImage{4, 1, image::Encoding::Linear, 0, {{"Z", std::move(z)}}, {}};
+  };
+  // No ground: not finite, zero and less, 1e9 and more.
+  EXPECT_EQ(*shown_terrain(depths({5.0f, 0.0f, -3.0f, 1e10f})), (Coverage{1, 0, 0, 0}));
+  // Window depth that was cleared to one; ground alone.
+  EXPECT_EQ(*shown_terrain(depths({0.5f, 0.9f, 1.0f, 0.7f})), (Coverage{1, 1, 0, 1}));
+  EXPECT_EQ(*shown_terrain(depths({0.5f, 0.9f, 1.5f, 0.7f})), (Coverage{1, 1, 1, 1}));
+  // The rule is that of both pictures: a crack in one alone is sky.
+  const image::PlaneImage whole = depths({5.0f, 5.0f, 5.0f, 5.0f}),
+                          cracked = depths({5.0f, 1e10f, 5.0f, 5.0f});
+  EXPECT_EQ(shown_terrain(cracked, *sky_rule(whole, cracked)), (Coverage{1, 0, 1, 1}));
+  // Alpha says more than depth that has no sky.
+  image::PlaneImage both = whole;
+  both.planes.push_back({"A", {1.0f, 0.2f, 1.0f, 1.0f}});
+  EXPECT_EQ(*shown_terrain(both), (Coverage{1, 0, 1, 1}));
+}
+
 }  // namespace
 }  // namespace plumb::compare
