@@ -28,7 +28,7 @@ Profile tolerant() {
   profile.limits = {{"coverage", "", "holes", {}, 0.0},
                     {"coverage", "", "overshoot", {}, 0.0},
                     {"colour", "", "isolated_largest", {}, 64.0 / 255.0},
-                    {"colour", "", "isolated_pixels", {}, 20.0},
+                    {"colour", "", "isolated_pixels", {}, 15.0},
                     {"colour", "", "unexplained_share", {}, 0.25},
                     {"depth", "", "unexplained_share", {}, 0.5},
                     {"depth", "", "isolated_pixels", {}, 10.0},
