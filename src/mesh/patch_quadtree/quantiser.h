@@ -46,7 +46,7 @@ struct Quantiser {
 /// of it that is largest, if that is more than 2 error_m: whole metres within 1 m are thirds, not
 /// halves, of a number.
 /// Throws InputError unless error_m is finite and above what floats of such heights round to, and
-/// the numbers fit into 30 bits.
+/// the numbers fit into 22 bits (Same) or 28.
 Quantiser quantiser_for(const terrain::HeightGrid& heights_m, double error_m, StepRule rule);
 
 }  // namespace plumb::mesh::patch_quadtree
