@@ -174,7 +174,8 @@ PatchNumbers PatchDecoder::root() const {
   const bool published = header().version == CodecVersion::Published;
   const Bytes bytes = container_.heights(published ? header().layout.patch_count() : 0);
   PatchNumbers numbers;
-  if (!decode_root(bytes, header().layout.patch_cells, numbers)) damaged(header().layout.root());
+  if (!decode_root(bytes, header().layout.patch_cells, header().quantiser.rule, numbers))
+    damaged(header().layout.root());
   return numbers;
 }
 

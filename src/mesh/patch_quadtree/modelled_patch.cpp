@@ -256,8 +256,10 @@ bool decode_child(const PatchNumbers& parent, const ChildPlace& place,
             const std::int32_t p = row.value[k];
             const std::uint32_t number =
                 symbols[k] < kEscape ? symbols[k] : kEscape - 1 + escapes.take();
-            numbers[k] =
-                is_void(marks, k) ? nearest(p) : nearest(p) + unfolded(number, is_below(p));
+            numbers[k] = is_void(marks, k)
+                             ? nearest(p)
+                             : as_number(std::int64_t{nearest(p)} + unfolded(number, is_below(p)),
+                                         StepRule::Same);
           }
         });
   child.q = samples.joined();

@@ -52,6 +52,7 @@ bool decode_child(const PatchNumbers& parent, const ChildPlace& place,
 
 /// The patch that has no parent: numbers foretold from those before, by an adaptive model.
 Bytes encode_root(const PatchNumbers& root);
-bool decode_root(std::span<const std::uint8_t> bytes, int patch_cells, PatchNumbers& root);
+bool decode_root(std::span<const std::uint8_t> bytes, int patch_cells, StepRule rule,
+                 PatchNumbers& root);
 
 }  // namespace plumb::mesh::patch_quadtree

@@ -107,12 +107,15 @@ void decode_child(const PatchNumbers& parent, int s, int t, Models& models,
   Wide q(parent.q, s, t);
   visit(
       q, child.voids,
-      [&](int, int, std::int32_t twice) { return twice + decoder.take(models.refinement) - 1; },
+      [&](int, int, std::int32_t twice) {
+        return as_number(twice + decoder.take(models.refinement) - 1, StepRule::DoublesWithLevel);
+      },
       [&](int, int, std::int32_t p) {
-        std::int32_t magnitude = decoder.take(models.magnitude);
-        if (magnitude == kEscape) magnitude += static_cast<std::int32_t>(escapes.take()) - 1;
-        if (magnitude == 0) return p;
-        return decoder.take(models.sign) == 1 ? p + magnitude : p - magnitude;
+        std::int64_t magnitude = decoder.take(models.magnitude);
+        if (magnitude == kEscape) magnitude += std::int64_t{escapes.take()} - 1;
+        if (magnitude == 0) return as_number(p, StepRule::DoublesWithLevel);
+        return as_number(decoder.take(models.sign) == 1 ? p + magnitude : p - magnitude,
+                         StepRule::DoublesWithLevel);
       });
   for (int j = -1; j <= q.n() + 1; ++j) {
     for (int i = -1; i <= q.n() + 1; ++i) {

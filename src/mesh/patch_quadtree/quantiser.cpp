@@ -84,11 +84,10 @@ Quantiser quantiser_for(const terrain::HeightGrid& heights_m, double error_m, St
     input_error(
         "an error of {:g} m is below what single precision rounds heights of {:g} m to ({:.2g} m)",
         error_m, heights.largest, quantiser.rounding_m);
-  // Sums of a few numbers, weighted by 64ths, must fit into 32 bits.
-  const double most_number = rule == StepRule::Same ? 1 << 22 : 1 << 28;
-  if (!((heights.largest + std::abs(quantiser.offset_m)) / quantiser.step_m < most_number))
+  const double most = most_number(rule);
+  if (!((heights.largest + std::abs(quantiser.offset_m)) / quantiser.step_m < most))
     input_error("an error of {:g} m is too small for heights of {:g} m: at least {:.3g} m", error_m,
-                heights.largest, 0.5 * heights.largest / most_number);
+                heights.largest, 0.5 * heights.largest / most);
   return quantiser;
 }
 

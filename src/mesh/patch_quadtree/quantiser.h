@@ -41,12 +41,22 @@ struct Quantiser {
   double scale(int level) const { return rule == StepRule::Same ? 1.0 : std::ldexp(1.0, -level); }
 };
 
+/// Numbers lie within +- this, so that sums of a few of them, weighted by 64ths, fit into 32 bits.
+constexpr std::int32_t most_number(StepRule rule) {
+  return rule == StepRule::Same ? 1 << 22 : 1 << 27;
+}
+/// What a decoder made of damaged bytes, as a number that can be one.
+constexpr std::int32_t as_number(std::int64_t value, StepRule rule) {
+  const std::int64_t most = most_number(rule);
+  return static_cast<std::int32_t>(value < -most ? -most : value > most ? most : value);
+}
+
 /// The largest step that keeps every height of the grid within `error_m` at level 0. Of the rule
 /// Same, heights that are multiples of a unit (whole metres, a file's codes) take the odd multiple
 /// of it that is largest, if that is more than 2 error_m: whole metres within 1 m are thirds, not
 /// halves, of a number.
 /// Throws InputError unless error_m is finite and above what floats of such heights round to, and
-/// the numbers fit into 22 bits (Same) or 28.
+/// the numbers are within most_number.
 Quantiser quantiser_for(const terrain::HeightGrid& heights_m, double error_m, StepRule rule);
 
 }  // namespace plumb::mesh::patch_quadtree

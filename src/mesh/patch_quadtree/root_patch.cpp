@@ -83,7 +83,8 @@ Bytes encode_root(const PatchNumbers& given) {
   return bytes;
 }
 
-bool decode_root(std::span<const std::uint8_t> bytes, int patch_cells, PatchNumbers& root) {
+bool decode_root(std::span<const std::uint8_t> bytes, int patch_cells, StepRule rule,
+                 PatchNumbers& root) {
   const int side = patch_cells + 3;
   root = {Grid<std::int32_t>(side, side), {}};
   ByteReader reader(bytes);
@@ -95,9 +96,9 @@ bool decode_root(std::span<const std::uint8_t> bytes, int patch_cells, PatchNumb
   GammaReader escapes(reader.bytes(reader.number()));
   ArithmeticDecoder decoder(reader.rest());
   visit(root, [&](std::int32_t p, AdaptiveModel& model, std::int32_t) {
-    std::uint32_t number = static_cast<std::uint32_t>(decoder.take(model));
+    auto number = static_cast<std::uint32_t>(decoder.take(model));
     if (number == kSymbols - 1) number += escapes.take() - 1;
-    return p + unfolded(number);
+    return as_number(std::int64_t{p} + unfolded(number), rule);
   });
   for (std::size_t k = 0; root.has_voids() && k < root.q.size(); ++k) {
     if (root.voids.values()[k] != 0) root.q.values()[k] = 0;

@@ -216,7 +216,8 @@ TEST(ModelledPatch, IsWhatItWas) {
     for (std::size_t m = 0; m < kModels; ++m) frequencies[m] = rans_frequencies(counts.counts[m]);
     const ModelTables tables(frequencies);
     PatchNumbers root;
-    ASSERT_TRUE(decode_root(encode_root(coded.numbers(coded.layout.root())), 16, root));
+    ASSERT_TRUE(
+        decode_root(encode_root(coded.numbers(coded.layout.root())), 16, StepRule::Same, root));
     expect_same(root, coded.numbers(coded.layout.root()));
     for (std::int64_t k = 1; k < coded.layout.patch_count(); ++k) {
       const PatchPlace p = coded.layout.place(k);
@@ -262,6 +263,32 @@ TEST(PublishedFamily, IsWhatItWas) {
         ASSERT_EQ(again[c].has_value(), there[c]);
         if (there[c]) expect_same(*again[c], *children[c]);
       }
+    }
+  }
+}
+
+// Bytes that nobody wrote are decoded to something, or to nothing, but never to harm.
+TEST(PatchCodec, SurvivesRandomBytes) {
+  Random random(77);
+  std::array<RansFrequencies, kModels> frequencies;
+  frequencies.fill(rans_frequencies(std::array<std::uint64_t, kRansSymbols>{}));
+  const ModelTables tables(frequencies);
+  PatchNumbers parent{Grid<std::int32_t>(19, 19, most_number(StepRule::Same)), {}};
+  PatchNumbers deep{Grid<std::int32_t>(19, 19, -most_number(StepRule::DoublesWithLevel)), {}};
+  for (int round = 0; round < 300; ++round) {
+    Bytes bytes;
+    for (int k = random.integer(0, 600); k > 0; --k)
+      bytes.push_back(static_cast<std::uint8_t>(random.integer(0, 255)));
+    if (!bytes.empty() && random.chance(0.8)) bytes.front() = static_cast<std::uint8_t>(round % 3);
+    PatchNumbers child;
+    decode_child(parent, {1, 0, 0}, bytes, tables, child);
+    decode_root(bytes, 16, StepRule::Same, child);
+    Family family;
+    decode_family(deep, {true, false, true, true}, bytes, family);
+    for (const auto& each : family) {
+      if (!each) continue;
+      for (const std::int32_t q : each->q.values())
+        EXPECT_LE(std::abs(q), most_number(StepRule::DoublesWithLevel));
     }
   }
 }
