@@ -1,0 +1,21 @@
+// Where there is no height, exactly.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "core/grid.h"
+#include "mesh/patch_quadtree/byte_stream.h"
+
+namespace plumb::mesh::patch_quadtree {
+
+/// Bytes of a mask (1: void), by an adaptive model of what lies to the left and below, and of what
+/// `known` says of the place: 0 or 1 where the parent has the sample, which is not coded again, 2
+/// where it has not. Both of one size.
+Bytes encode_voids(const Grid<std::uint8_t>& mask, const Grid<std::uint8_t>& known);
+
+/// The mask again; false if the bytes are none of its.
+bool decode_voids(std::span<const std::uint8_t> bytes, const Grid<std::uint8_t>& known,
+                  Grid<std::uint8_t>& mask);
+
+}  // namespace plumb::mesh::patch_quadtree
