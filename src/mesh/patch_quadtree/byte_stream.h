@@ -16,6 +16,20 @@ inline void put_number(std::uint64_t number, Bytes& bytes) {
   bytes.push_back(static_cast<std::uint8_t>(number));
 }
 
+/// Their number, then the bytes.
+inline void put_part(std::span<const std::uint8_t> part, Bytes& bytes) {
+  put_number(part.size(), bytes);
+  bytes.insert(bytes.end(), part.begin(), part.end());
+}
+
+/// Differences as whole numbers from zero: 0, 1, -1, 2, -2, ... are 0, 1, 2, 3, 4, ...
+inline std::uint32_t folded(std::int32_t d) {
+  return d > 0 ? 2 * static_cast<std::uint32_t>(d) - 1 : 2 * static_cast<std::uint32_t>(-d);
+}
+inline std::int32_t unfolded(std::uint32_t number) {
+  return static_cast<std::int32_t>((number & 1u) != 0 ? (number >> 1) + 1 : 0u - (number >> 1));
+}
+
 /// Reads bytes one after the other; what is beyond the end reads as zeros and is remembered.
 class ByteReader {
  public:

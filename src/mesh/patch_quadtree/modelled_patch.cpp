@@ -9,7 +9,6 @@ namespace plumb::mesh::patch_quadtree {
 namespace {
 
 constexpr std::uint8_t kEscape = kRansSymbols - 1;
-constexpr std::uint8_t kUnknown = 2;
 enum Flags : std::uint8_t { NoVoids = 0, SomeVoids = 1, AllVoid = 2 };
 
 std::size_t group_of(int level) {
@@ -20,15 +19,10 @@ std::size_t first_model(int level, int kind) {
   return (group_of(level) * kSampleKinds + static_cast<std::size_t>(kind)) * kContexts;
 }
 
-// Differences as whole numbers from zero: the side on which the truth lies rather comes first.
-std::uint32_t folded(std::int32_t difference, bool below) {
-  const std::int32_t d = below ? -difference : difference;
-  return d > 0 ? 2 * static_cast<std::uint32_t>(d) - 1 : 2 * static_cast<std::uint32_t>(-d);
-}
-std::int32_t unfolded(std::uint32_t number, bool below) {
-  const auto d =
-      static_cast<std::int32_t>((number & 1u) != 0 ? (number >> 1) + 1 : 0u - (number >> 1));
-  return below ? -d : d;
+// The side on which the truth lies rather comes first.
+std::uint32_t folded_towards(std::int32_t d, bool below) { return folded(below ? -d : d); }
+std::int32_t unfolded_towards(std::uint32_t number, bool below) {
+  return below ? -unfolded(number) : unfolded(number);
 }
 
 std::int32_t nearest(std::int32_t value) { return (value + 32) >> 6; }
@@ -143,7 +137,7 @@ void visit_symbols(const PatchNumbers& parent, const ChildPlace& place, const Pa
             if (is_void(marks, k)) {
               numbers[k] = nearest(p);
             } else {
-              put(first + row.context[k], folded(numbers[k] - nearest(p), is_below(p)));
+              put(first + row.context[k], folded_towards(numbers[k] - nearest(p), is_below(p)));
             }
           }
         });
@@ -153,23 +147,6 @@ bool all_void(const PatchNumbers& numbers) {
   return numbers.has_voids() &&
          std::find(numbers.voids.values().begin(), numbers.voids.values().end(), 0) ==
              numbers.voids.values().end();
-}
-
-// What the parent says of the child's voids.
-Grid<std::uint8_t> known_voids(const PatchNumbers& parent, const ChildPlace& place, int n) {
-  Grid<std::uint8_t> known(n + 3, n + 3, kUnknown);
-  for (int j = 0; j <= n; j += 2) {
-    for (int i = 0; i <= n; i += 2)
-      known(i + 1, j + 1) = parent.has_voids() ? parent.voids(i / 2 + place.s * n / 2 + 1,
-                                                              j / 2 + place.t * n / 2 + 1)
-                                               : std::uint8_t{0};
-  }
-  return known;
-}
-
-void put_part(const Bytes& part, Bytes& bytes) {
-  put_number(part.size(), bytes);
-  bytes.insert(bytes.end(), part.begin(), part.end());
 }
 
 void clear_voids(PatchNumbers& numbers) {
@@ -204,7 +181,8 @@ Bytes encode_child(const PatchNumbers& parent, const ChildPlace& place, const Pa
   bytes.push_back(!child.has_voids() ? NoVoids : all_void(child) ? AllVoid : SomeVoids);
   if (bytes.front() == AllVoid) return bytes;
   const int n = child.q.columns() - 3;
-  if (child.has_voids()) put_part(encode_voids(child.voids, known_voids(parent, place, n)), bytes);
+  if (child.has_voids())
+    put_part(encode_voids(child.voids, known_voids(parent.voids, place.s, place.t, n)), bytes);
   std::vector<RansSymbol> symbols;
   GammaWriter escapes;
   visit_symbols(parent, place, child, [&](std::size_t model, std::uint32_t number) {
@@ -232,7 +210,8 @@ bool decode_child(const PatchNumbers& parent, const ChildPlace& place,
     return bytes.size() == 1;
   }
   if (flags == SomeVoids &&
-      !decode_voids(reader.bytes(reader.number()), known_voids(parent, place, n), child.voids))
+      !decode_voids(reader.bytes(reader.number()), known_voids(parent.voids, place.s, place.t, n),
+                    child.voids))
     return false;
   GammaReader escapes(reader.bytes(reader.number()));
   RansDecoder decoder(reader.rest());
@@ -256,10 +235,11 @@ bool decode_child(const PatchNumbers& parent, const ChildPlace& place,
             const std::int32_t p = row.value[k];
             const std::uint32_t number =
                 symbols[k] < kEscape ? symbols[k] : kEscape - 1 + escapes.take();
-            numbers[k] = is_void(marks, k)
-                             ? nearest(p)
-                             : as_number(std::int64_t{nearest(p)} + unfolded(number, is_below(p)),
-                                         StepRule::Same);
+            numbers[k] =
+                is_void(marks, k)
+                    ? nearest(p)
+                    : as_number(std::int64_t{nearest(p)} + unfolded_towards(number, is_below(p)),
+                                StepRule::Same);
           }
         });
   child.q = samples.joined();

@@ -10,7 +10,6 @@ namespace plumb::mesh::patch_quadtree {
 namespace {
 
 constexpr int kMagnitudes = 256, kEscape = 255;
-constexpr std::uint8_t kUnknown = 2;
 enum Flags : std::uint8_t { NoVoids = 0, SomeVoids = 1 };
 
 // The models of a family.
@@ -64,22 +63,6 @@ void visit(Wide& q, const Grid<std::uint8_t>& voids, const Refine& refine, const
       q(i, j) = is_void(i, j) ? p : predict(i, j, p);
     }
   }
-}
-
-Grid<std::uint8_t> known_voids(const PatchNumbers& parent, int s, int t, int n) {
-  Grid<std::uint8_t> known(n + 3, n + 3, kUnknown);
-  for (int j = 0; j <= n; j += 2) {
-    for (int i = 0; i <= n; i += 2)
-      known(i + 1, j + 1) = parent.has_voids()
-                                ? parent.voids(i / 2 + s * n / 2 + 1, j / 2 + t * n / 2 + 1)
-                                : std::uint8_t{0};
-  }
-  return known;
-}
-
-void put_part(const Bytes& part, Bytes& bytes) {
-  put_number(part.size(), bytes);
-  bytes.insert(bytes.end(), part.begin(), part.end());
 }
 
 void encode_child(const PatchNumbers& parent, int s, int t, const PatchNumbers& child,
@@ -137,9 +120,9 @@ Bytes encode_family(const PatchNumbers& parent, const Family& children) {
     if (!child) continue;
     bytes.push_back(child->has_voids() ? SomeVoids : NoVoids);
     if (child->has_voids())
-      put_part(
-          encode_voids(child->voids, known_voids(parent, k & 1, k >> 1, child->q.columns() - 3)),
-          bytes);
+      put_part(encode_voids(child->voids,
+                            known_voids(parent.voids, k & 1, k >> 1, child->q.columns() - 3)),
+               bytes);
     encode_child(parent, k & 1, k >> 1, *child, models, encoder, escapes);
   }
   put_part(escapes.bytes(), bytes);
@@ -160,7 +143,7 @@ bool decode_family(const PatchNumbers& parent, const std::array<bool, 4>& there,
     const int s = static_cast<int>(k) & 1, t = static_cast<int>(k) >> 1;
     if (flags > SomeVoids ||
         (flags == SomeVoids &&
-         !decode_voids(reader.bytes(reader.number()), known_voids(parent, s, t, side - 3),
+         !decode_voids(reader.bytes(reader.number()), known_voids(parent.voids, s, t, side - 3),
                        children[k]->voids)))
       return false;
   }

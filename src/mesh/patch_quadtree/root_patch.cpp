@@ -33,13 +33,6 @@ int context_at(const Grid<std::int32_t>& q, int i, int j) {
                   static_cast<int>(std::bit_width(static_cast<std::uint32_t>(liveliness))));
 }
 
-std::uint32_t folded(std::int32_t d) {
-  return d > 0 ? 2 * static_cast<std::uint32_t>(d) - 1 : 2 * static_cast<std::uint32_t>(-d);
-}
-std::int32_t unfolded(std::uint32_t number) {
-  return static_cast<std::int32_t>((number & 1u) != 0 ? (number >> 1) + 1 : 0u - (number >> 1));
-}
-
 // Every number in turn, from code(foretold, model, number); voids take what is foretold meanwhile.
 template <class Code>
 void visit(PatchNumbers& root, const Code& code) {
@@ -63,9 +56,8 @@ Bytes encode_root(const PatchNumbers& given) {
   bytes.push_back(root.has_voids() ? 1 : 0);
   if (root.has_voids()) {
     const Bytes voids = encode_voids(
-        root.voids, Grid<std::uint8_t>(root.voids.columns(), root.voids.rows(), std::uint8_t{2}));
-    put_number(voids.size(), bytes);
-    bytes.insert(bytes.end(), voids.begin(), voids.end());
+        root.voids, Grid<std::uint8_t>(root.voids.columns(), root.voids.rows(), kUnknownVoid));
+    put_part(voids, bytes);
   }
   ArithmeticEncoder encoder;
   GammaWriter escapes;
@@ -76,8 +68,7 @@ Bytes encode_root(const PatchNumbers& given) {
     if (symbol == kSymbols - 1) escapes.put(number - symbol + 1);
     return q;
   });
-  put_number(escapes.bytes().size(), bytes);
-  bytes.insert(bytes.end(), escapes.bytes().begin(), escapes.bytes().end());
+  put_part(escapes.bytes(), bytes);
   const Bytes coded = encoder.finish();
   bytes.insert(bytes.end(), coded.begin(), coded.end());
   return bytes;
@@ -91,7 +82,7 @@ bool decode_root(std::span<const std::uint8_t> bytes, int patch_cells, StepRule 
   const std::uint8_t flags = reader.byte();
   if (flags > 1) return false;
   if (flags == 1 && !decode_voids(reader.bytes(reader.number()),
-                                  Grid<std::uint8_t>(side, side, std::uint8_t{2}), root.voids))
+                                  Grid<std::uint8_t>(side, side, kUnknownVoid), root.voids))
     return false;
   GammaReader escapes(reader.bytes(reader.number()));
   ArithmeticDecoder decoder(reader.rest());

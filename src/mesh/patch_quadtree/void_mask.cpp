@@ -7,8 +7,6 @@
 namespace plumb::mesh::patch_quadtree {
 namespace {
 
-constexpr std::uint8_t kUnknown = 2;
-
 // A model for each of what is to the left, below, below to either side, and known to the right and
 // above.
 class Models {
@@ -20,7 +18,7 @@ class Models {
       return mask.contains(a, b) ? mask(a, b) : 0u;
     };
     const auto ahead = [&](int a, int b) -> std::size_t {
-      return known.contains(a, b) ? known(a, b) : kUnknown;
+      return known.contains(a, b) ? known(a, b) : kUnknownVoid;
     };
     const std::size_t before =
         at(i - 1, j) + 2 * at(i, j - 1) + 4 * at(i + 1, j - 1) + 8 * at(i - 1, j - 1);
@@ -37,12 +35,23 @@ void visit(const Grid<std::uint8_t>& known, Grid<std::uint8_t>& mask, const Put&
   Models models;
   for (int j = 0; j < mask.rows(); ++j) {
     for (int i = 0; i < mask.columns(); ++i) {
-      mask(i, j) = known(i, j) != kUnknown ? known(i, j) : put(i, j, models.of(mask, known, i, j));
+      mask(i, j) =
+          known(i, j) != kUnknownVoid ? known(i, j) : put(i, j, models.of(mask, known, i, j));
     }
   }
 }
 
 }  // namespace
+
+Grid<std::uint8_t> known_voids(const Grid<std::uint8_t>& parent, int s, int t, int n) {
+  Grid<std::uint8_t> known(n + 3, n + 3, kUnknownVoid);
+  for (int j = 0; j <= n; j += 2) {
+    for (int i = 0; i <= n; i += 2)
+      known(i + 1, j + 1) =
+          parent.empty() ? std::uint8_t{0} : parent(i / 2 + s * n / 2 + 1, j / 2 + t * n / 2 + 1);
+  }
+  return known;
+}
 
 Bytes encode_voids(const Grid<std::uint8_t>& mask, const Grid<std::uint8_t>& known) {
   ArithmeticEncoder encoder;
