@@ -112,8 +112,7 @@ bool speaks_of(const std::string& group, const std::string& limited, const image
 
 // A profile that says nothing of a channel passes whatever is in it.
 void note_unlimited(const PicturePair& pair, Comparison& result) {
-  const auto rule = sky_rule(pair.reference, pair.candidate);
-  const bool by_alpha = rule && rule->kind == SkyRule::Kind::Alpha;
+  const bool by_alpha = result.sky && result.sky->kind == SkyRule::Kind::Alpha;
   std::string names;
   for (const image::Plane& plane : pair.reference.planes) {
     const bool limited =

@@ -73,6 +73,7 @@ struct Comparison {
   std::vector<std::string> not_judged;  // limits of channels that are not there, by name
   std::vector<Diagnosis> systematic;
   std::optional<CoverageErrors> coverage;
+  std::optional<SkyRule> sky;  // by which coverage was judged
   NumberCount numbers;
   std::optional<MaskReport> mask;
   std::vector<ErrorMap> maps;

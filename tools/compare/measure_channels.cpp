@@ -74,6 +74,7 @@ void measure_coverage(const Measuring& m) {
   if (!m.wants_any("coverage", {"holes", "overshoot"})) return;
   const auto rule = sky_rule(m.pair.reference, m.pair.candidate);
   if (!rule) return;
+  m.result.sky = rule;
   if (rule->kind == SkyRule::Kind::Number)
     m.result.notes.push_back(fmt::format("coverage: Z = {} is taken for sky", rule->number));
   const auto reference = shown_terrain(m.pair.reference, *rule),
