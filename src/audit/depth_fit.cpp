@@ -163,6 +163,8 @@ class FrameFit {
 
   // Another camera not far from the stated one.
   void try_camera() {
+    // It goes before a plainer one only if it is better by more than nothing.
+    if (best_.plainness != Plainness::FittedTwice && best_.mean <= kNoDifference) return;
     DepthReading reading = stated_;
     reading.camera = reading.seen_by = fitted_camera(samples_, ranges_, stated_.camera);
     reading.plainness = Plainness::FittedTwice;
@@ -245,10 +247,9 @@ class FrameFit {
     double least = kInfinity;
     for (const Camera& camera : turned_cameras(truth_, stated_.camera)) {
       const std::vector<double> turned = samples_.depths_of(truth_, camera);
-      DepthRanges as_ranges;
-      for (const double depth : turned) as_ranges.push_back(DepthRange{depth, depth, depth});
       // Ground that is the same when it is turned says nothing.
-      if (difference_of(as_ranges, samples_.true_depths()).mean >= kTellsApart * before_.mean)
+      if (difference_of(exact_ranges(turned), samples_.true_depths()).mean >=
+          kTellsApart * before_.mean)
         least = std::min(least, difference_of(ranges_, turned).mean);
     }
     return least;
@@ -258,10 +259,8 @@ class FrameFit {
   double coarsest_misfit() const {
     double coarsest = 0.0;
     for (const auto& coarse : coarse_truths(truth_)) {
-      DepthRanges ranges;
-      for (const double depth : samples_.depths_of(coarse->truth, stated_.camera))
-        ranges.push_back(DepthRange{depth, depth, depth});
-      coarsest = std::max(coarsest, samples_.drawn_difference(ranges));
+      coarsest = std::max(coarsest, samples_.drawn_difference(exact_ranges(
+                                        samples_.depths_of(coarse->truth, stated_.camera))));
     }
     return coarsest;
   }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "audit/plan_fit.h"
+#include "audit/turned_cameras.h"
 
 namespace plumb::audit {
 namespace {
@@ -87,28 +88,16 @@ void add_lenses(const DepthReading& stated, Readings& readings) {
 // through a camera mirrored or turned.
 void add_turned_terrains(const DepthReading& stated, const terrain::Heightfield& field,
                          Readings& readings) {
-  const glm::dvec3 middle =
-      field.world_origin_m() +
-      0.5 * glm::dvec3(field.cell_columns() * field.dx_m, field.cell_rows() * field.dy_m, 0.0);
-  const auto add = [&](glm::dvec3 (*turn)(const glm::dvec3&), const char* text) {
-    Camera camera = stated.camera;
-    camera.eye_m = middle + turn(camera.eye_m - middle);
-    camera.right = turn(camera.right);
-    camera.up = turn(camera.up);
-    camera.forward = turn(camera.forward);
-    add_camera(stated, camera, text, readings);
+  const auto add = [&](const Turn& turn, const char* text) {
+    add_camera(stated, turned_about_middle(field, turn, stated.camera), text, readings);
   };
-  add([](const glm::dvec3& v) { return glm::dvec3(v.x, -v.y, v.z); },
-      "the terrain that was drawn has north and south exchanged");
-  add([](const glm::dvec3& v) { return glm::dvec3(-v.x, v.y, v.z); },
-      "the terrain that was drawn has east and west exchanged");
-  add([](const glm::dvec3& v) { return glm::dvec3(-v.x, -v.y, v.z); },
-      "the terrain that was drawn is turned by half a turn");
-  add([](const glm::dvec3& v) { return glm::dvec3(v.y, v.x, v.z); },
-      "the terrain that was drawn has its rows and columns exchanged");
-  add([](const glm::dvec3& v) { return glm::dvec3(-v.y, v.x, v.z); },
+  add({.mirror_y = true}, "the terrain that was drawn has north and south exchanged");
+  add({.mirror_x = true}, "the terrain that was drawn has east and west exchanged");
+  add({.mirror_x = true, .mirror_y = true}, "the terrain that was drawn is turned by half a turn");
+  add({.exchange = true}, "the terrain that was drawn has its rows and columns exchanged");
+  add({.mirror_y = true, .exchange = true},
       "the terrain that was drawn is turned by a quarter of a turn clockwise");
-  add([](const glm::dvec3& v) { return glm::dvec3(v.y, -v.x, v.z); },
+  add({.mirror_x = true, .exchange = true},
       "the terrain that was drawn is turned by a quarter of a turn counter-clockwise");
 }
 

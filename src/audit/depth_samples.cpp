@@ -24,6 +24,13 @@ double difference(const std::optional<DepthRange>& range, double true_depth) {
 
 }  // namespace
 
+DepthRanges exact_ranges(const std::vector<double>& depths) {
+  DepthRanges ranges;
+  ranges.reserve(depths.size());
+  for (const double depth : depths) ranges.push_back(DepthRange{depth, depth, depth});
+  return ranges;
+}
+
 DepthDifference difference_of(const DepthRanges& ranges, const std::vector<double>& true_depths) {
   DepthDifference all;
   for (std::size_t k = 0; k < ranges.size(); ++k) {

@@ -68,6 +68,9 @@ class DepthSamples {
   std::vector<double> true_depths_;
 };
 
+/// Depths that nothing rounded.
+DepthRanges exact_ranges(const std::vector<double>& depths);
+
 DepthDifference difference_of(const DepthRanges& ranges, const std::vector<double>& true_depths);
 
 }  // namespace plumb::audit
