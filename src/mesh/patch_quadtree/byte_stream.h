@@ -61,6 +61,7 @@ class ByteReader {
     return part;
   }
   std::span<const std::uint8_t> rest() { return bytes(bytes_.size() - at_); }
+  std::size_t left() const { return bytes_.size() - at_; }
   bool overrun() const { return overrun_; }
 
  private:

@@ -1,56 +1,20 @@
 #include "mesh/patch_quadtree/coded_terrain.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/check.h"
 #include "core/parallel.h"
+#include "mesh/patch_quadtree/container_header.h"
+#include "mesh/patch_quadtree/modelled_patch.h"
 #include "mesh/patch_quadtree/published_family.h"
+#include "mesh/patch_quadtree/stored_models.h"
 
 namespace plumb::mesh::patch_quadtree {
 namespace {
 
 ChildPlace place_in_parent(const PatchPlace& patch) {
   return {patch.px & 1, patch.py & 1, patch.level};
-}
-
-// Of contexts that occur: a bit for each, and 16 numbers of 16 bits.
-Bytes model_bytes(const SymbolCounts& counts) {
-  Bytes used((kModels + 7) / 8, 0), bytes;
-  for (std::size_t m = 0; m < kModels; ++m) {
-    const auto& symbols = counts.counts[m];
-    if (std::all_of(symbols.begin(), symbols.end(), [](std::uint64_t n) { return n == 0; }))
-      continue;
-    used[m / 8] = static_cast<std::uint8_t>(used[m / 8] | 1u << m % 8);
-    for (const std::uint16_t frequency : rans_frequencies(symbols)) {
-      bytes.push_back(static_cast<std::uint8_t>(frequency));
-      bytes.push_back(static_cast<std::uint8_t>(frequency >> 8));
-    }
-  }
-  used.insert(used.end(), bytes.begin(), bytes.end());
-  return used;
-}
-
-// Nothing if the bytes are no models.
-std::optional<ModelTables> models_of(std::span<const std::uint8_t> bytes) {
-  ByteReader reader(bytes);
-  const auto used = reader.bytes((kModels + 7) / 8);
-  std::array<RansFrequencies, kModels> frequencies;
-  frequencies.fill(rans_frequencies(std::array<std::uint64_t, kRansSymbols>{}));
-  for (std::size_t m = 0; m < kModels && !reader.overrun(); ++m) {
-    if ((used[m / 8] >> m % 8 & 1u) == 0) continue;
-    std::uint32_t sum = 0;
-    for (std::uint16_t& frequency : frequencies[m]) {
-      const std::uint32_t low = reader.byte();
-      frequency = static_cast<std::uint16_t>(low | std::uint32_t{reader.byte()} << 8);
-      if (frequency == 0 || frequency >= kRansTotal) return std::nullopt;
-      sum += frequency;
-    }
-    if (sum != kRansTotal) return std::nullopt;
-  }
-  if (reader.overrun() || !reader.rest().empty()) return std::nullopt;
-  return ModelTables(frequencies);
 }
 
 class Encoder {
@@ -68,7 +32,7 @@ class Encoder {
     }
     heights_.resize(static_cast<std::size_t>(patches));
     const SymbolCounts counts = all_counts(patches);
-    header_.models = model_bytes(counts);
+    header_.models = stored_models(counts);
     const ModelTables tables = *models_of(header_.models);
     heights_.front() = encode_root(numbers(header_.layout.root()));
     parallel_for(patches - 1, 1, [&](std::int64_t k) {
@@ -154,106 +118,11 @@ EncodedHeights encode_heights(const terrain::Heightfield& field, const EncodeOpt
   header.terrain_checksum = terrain::checksum(field);
   header.source = field.provenance.source;
   header.crs = field.provenance.crs;
+  if (const std::string why = wrong_with(header); !why.empty())
+    input_error("{} within {:g} m cannot be coded: {}", header.source, header.error_m, why);
   require_within(field, header);
   Encoder(field, encoded).run();
   return encoded;
-}
-
-PatchDecoder::PatchDecoder(const Container& container) : container_(container) {
-  if (header().version == CodecVersion::Published) return;
-  tables_ = models_of(header().models);
-  if (!tables_) input_error("a container's models are damaged");
-}
-
-void PatchDecoder::damaged(const PatchPlace& patch) const {
-  input_error("patch ({}, {}) of level {} is damaged: its bytes are no patch's", patch.px, patch.py,
-              patch.level);
-}
-
-PatchNumbers PatchDecoder::root() const {
-  const bool published = header().version == CodecVersion::Published;
-  const Bytes bytes = container_.heights(published ? header().layout.patch_count() : 0);
-  PatchNumbers numbers;
-  if (!decode_root(bytes, header().layout.patch_cells, header().quantiser.rule, numbers))
-    damaged(header().layout.root());
-  return numbers;
-}
-
-PatchNumbers PatchDecoder::numbers(const PatchPlace& patch) const {
-  require(header().layout.contains(patch), "there is no patch ({}, {}) of level {}", patch.px,
-          patch.py, patch.level);
-  PatchNumbers numbers_here = root();
-  for (int level = header().layout.levels - 2; level >= patch.level; --level) {
-    const int up = level - patch.level;
-    numbers_here = numbers({level, patch.px >> up, patch.py >> up}, numbers_here);
-  }
-  return numbers_here;
-}
-
-PatchNumbers PatchDecoder::numbers(const PatchPlace& patch, const PatchNumbers& parent) const {
-  if (tables_) {
-    PatchNumbers child;
-    if (!decode_child(parent, place_in_parent(patch),
-                      container_.heights(header().layout.index(patch)), *tables_, child))
-      damaged(patch);
-    return child;
-  }
-  Family children;
-  std::array<bool, 4> there{};
-  for (int c = 0; c < 4; ++c)
-    there[static_cast<std::size_t>(c)] =
-        header().layout.contains(patch.parent().child(c & 1, c >> 1));
-  if (!decode_family(parent, there, container_.heights(header().layout.index(patch.parent())),
-                     children))
-    damaged(patch);
-  return std::move(*children[static_cast<std::size_t>((patch.px & 1) + 2 * (patch.py & 1))]);
-}
-
-Grid<float> PatchDecoder::heights(const PatchPlace& patch) const {
-  return heights_of(numbers(patch), header().quantiser, patch.level);
-}
-
-Grid<float> PatchDecoder::level_heights(int level) const {
-  const PatchLayout& layout = header().layout;
-  require(level >= 0 && level < layout.levels, "a level must be in [0, {}), got {}", layout.levels,
-          level);
-  const auto along = [&](int samples) {
-    return static_cast<int>((std::int64_t{samples} - 1 + (std::int64_t{1} << level) - 1) >> level) +
-           1;
-  };
-  Grid<float> heights(along(layout.columns), along(layout.rows));
-  std::vector<PatchNumbers> above{root()};
-  for (int at = layout.levels - 1;; --at) {
-    const int columns = layout.patch_columns(at);
-    if (at == level) {
-      parallel_for(static_cast<std::int64_t>(above.size()), 1, [&](std::int64_t k) {
-        const auto px = static_cast<int>(k % columns), py = static_cast<int>(k / columns);
-        const PatchNumbers& numbers_here = above[static_cast<std::size_t>(k)];
-        const Grid<float> patch = heights_of(numbers_here, header().quantiser, level);
-        const int n = layout.patch_cells;
-        // The last sample along a side is the next patch's first, where there is one.
-        for (int j = py * n; j <= std::min(py * n + n, heights.rows() - 1); ++j) {
-          for (int i = px * n; i <= std::min(px * n + n, heights.columns() - 1); ++i) {
-            const bool is_next = (i == px * n + n && px + 1 < columns) ||
-                                 (j == py * n + n && py + 1 < layout.patch_rows(level));
-            if (!is_next) heights(i, j) = patch(i - px * n + 1, j - py * n + 1);
-          }
-        }
-      });
-      return heights;
-    }
-    std::vector<PatchNumbers> below(static_cast<std::size_t>(layout.patch_columns(at - 1)) *
-                                    static_cast<std::size_t>(layout.patch_rows(at - 1)));
-    const int below_columns = layout.patch_columns(at - 1);
-    parallel_for(static_cast<std::int64_t>(below.size()), 1, [&](std::int64_t k) {
-      const auto px = static_cast<int>(k % below_columns), py = static_cast<int>(k / below_columns);
-      below[static_cast<std::size_t>(k)] =
-          numbers({at - 1, px, py},
-                  above[static_cast<std::size_t>(py / 2) * static_cast<std::size_t>(columns) +
-                        static_cast<std::size_t>(px / 2)]);
-    });
-    above = std::move(below);
-  }
 }
 
 }  // namespace plumb::mesh::patch_quadtree

@@ -44,7 +44,7 @@ struct ContainerRecords {
 };
 
 /// The whole file. Throws std::invalid_argument if there are not as many records as the layout
-/// says.
+/// says, or if a part of the header, all of it or a record has 4 GiB or more.
 Bytes container_bytes(const ContainerHeader& header, const ContainerRecords& records);
 
 /// An open file: its header and table are read and checked at once, records when they are asked
@@ -54,19 +54,29 @@ class Container {
   /// Throws InputError, one line with the file and what is wrong: not such a file, of a version
   /// that is not known, cut off, damaged, or of sizes beyond what it can hold.
   explicit Container(const std::filesystem::path& path);
+  /// The same of a file in memory; `name` is what its errors call it.
+  explicit Container(Bytes file, std::string name = "<memory>");
   ~Container();
   Container(const Container&) = delete;
   Container& operator=(const Container&) = delete;
 
+  /// The file's path, or what it is called.
+  const std::string& name() const;
   const ContainerHeader& header() const;
   std::int64_t file_bytes() const;
   /// A record's bytes, checked. Throws InputError if they are damaged, naming the patch.
   Bytes heights(std::int64_t record) const;
   Bytes payload(std::int64_t record) const;
+  /// How large they are, unread.
+  std::int64_t heights_bytes(std::int64_t record) const;
+  std::int64_t payload_bytes(std::int64_t record) const;
 
  private:
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
+
+/// True if what stands there is a file that begins as a container does, whatever its name.
+bool is_container(const std::filesystem::path& path);
 
 }  // namespace plumb::mesh::patch_quadtree

@@ -22,7 +22,7 @@ enum class StepRule { DoublesWithLevel, Same };
 struct Quantiser {
   double step_m = 1.0;
   double offset_m = 0.0;
-  double rounding_m = 0.0;  // the largest that a height's float may be off
+  double rounding_m = 0.0;  // the largest that a height's float may be off at level 0
   StepRule rule = StepRule::Same;
 
   double step(int level) const {
@@ -35,7 +35,12 @@ struct Quantiser {
   float height(std::int32_t number, int level) const {
     return static_cast<float>(number * step(level) + offset_m);
   }
-  double error_m(int level) const { return 0.5 * step(level) + rounding_m; }
+  double error_m(int level) const {
+    // Heights that a coarser step reaches are larger, by no more than it is, and so is a float's
+    // rounding.
+    const double finest_m = 0.5 * step_m + rounding_m;
+    return rule == StepRule::Same ? finest_m : std::ldexp(finest_m, level);
+  }
 
  private:
   double scale(int level) const { return rule == StepRule::Same ? 1.0 : std::ldexp(1.0, -level); }
