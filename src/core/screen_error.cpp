@@ -82,6 +82,39 @@ std::array<glm::dvec2, 4> image_corners(const Camera& camera) {
   return {glm::dvec2{left, top}, {right, top}, {left, bottom}, {right, bottom}};
 }
 
+// Of the points of a box that are in view: the least depth, and the most that N / w can be; e_w is
+// how much of the axis is depth.
+struct Reach {
+  double w_low, n, e_w;
+};
+
+Reach reach_of(const Camera& camera, const Box& box, const glm::dvec3& axis) {
+  const glm::dvec3 e = direction_to_view(camera, axis);
+
+  double n_corners = 0.0, w_corners = kInfinity;
+  for (int k = 0; k < 8; ++k) {
+    const glm::dvec3 p = to_view(camera, box.corner(k));
+    w_corners = std::min(w_corners, p.z);
+    const glm::dvec2 n = screen_velocity(camera, p, e);
+    n_corners = p.z > 0.0 ? std::max(n_corners, std::sqrt(glm::dot(n, n)) / p.z) : kInfinity;
+  }
+  double n_image = 0.0, tan_squared = 0.0;
+  for (const glm::dvec2& corner : image_corners(camera)) {
+    const glm::dvec2 n = screen_velocity(camera, {corner, 1.0}, e);
+    n_image = std::max(n_image, std::sqrt(glm::dot(n, n)));
+    tan_squared = std::max(tan_squared, glm::dot(corner, corner));
+  }
+  glm::dvec3 nearest;
+  for (int axis_index = 0; axis_index < 3; ++axis_index) {
+    nearest[axis_index] =
+        std::clamp(camera.eye_m[axis_index], box.low[axis_index], box.high[axis_index]);
+  }
+  const glm::dvec3 apart = nearest - camera.eye_m;
+  const double rho_cosine = std::sqrt(glm::dot(apart, apart) / (1.0 + tan_squared));
+  return {std::max({w_corners, camera.near_m, rho_cosine}), std::min(n_corners, n_image),
+          std::abs(e.z)};
+}
+
 }  // namespace
 
 glm::dvec3 direction_to_view(const Camera& camera, const glm::dvec3& direction) {
@@ -137,32 +170,18 @@ double allowed_displacement_m(const Camera& camera, const Box& box, const glm::d
   require(error_px >= 0.0 && std::isfinite(error_px), "error_px must be finite and >= 0, got {}",
           error_px);
   if (box.empty() || !may_be_in_view(camera, box)) return kInfinity;
-  const glm::dvec3 e = direction_to_view(camera, axis);
-
-  double n_corners = 0.0, w_corners = kInfinity;
-  for (int k = 0; k < 8; ++k) {
-    const glm::dvec3 p = to_view(camera, box.corner(k));
-    w_corners = std::min(w_corners, p.z);
-    const glm::dvec2 n = screen_velocity(camera, p, e);
-    n_corners = p.z > 0.0 ? std::max(n_corners, std::sqrt(glm::dot(n, n)) / p.z) : kInfinity;
-  }
-  double n_image = 0.0, tan_squared = 0.0;
-  for (const glm::dvec2& corner : image_corners(camera)) {
-    const glm::dvec2 n = screen_velocity(camera, {corner, 1.0}, e);
-    n_image = std::max(n_image, std::sqrt(glm::dot(n, n)));
-    tan_squared = std::max(tan_squared, glm::dot(corner, corner));
-  }
-  glm::dvec3 nearest;
-  for (int axis_index = 0; axis_index < 3; ++axis_index) {
-    nearest[axis_index] =
-        std::clamp(camera.eye_m[axis_index], box.low[axis_index], box.high[axis_index]);
-  }
-  const glm::dvec3 apart = nearest - camera.eye_m;
-  const double rho_cosine = std::sqrt(glm::dot(apart, apart) / (1.0 + tan_squared));
-  const double w_low = std::max({w_corners, camera.near_m, rho_cosine});
-  const double n = std::min(n_corners, n_image);
   if (error_px == 0.0) return 0.0;
-  return error_px * w_low / (n + error_px * std::abs(e.z)) * kRoundDown;
+  const Reach reach = reach_of(camera, box, axis);
+  return error_px * reach.w_low / (reach.n + error_px * reach.e_w) * kRoundDown;
+}
+
+double displacement_bound_px(const Camera& camera, const Box& box, const glm::dvec3& axis,
+                             double delta_m) {
+  const double length = std::abs(delta_m);
+  if (length == 0.0 || box.empty() || !may_be_in_view(camera, box)) return 0.0;
+  const Reach reach = reach_of(camera, box, axis);
+  const double moved = reach.w_low - length * reach.e_w;
+  return moved > 0.0 ? length * reach.n / moved / kRoundDown : kInfinity;
 }
 
 bool may_be_in_view(const Camera& camera, const Box& box) {

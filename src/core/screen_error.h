@@ -73,6 +73,12 @@ double largest_displacement_px(const Camera& camera, const Box& box, const glm::
 double allowed_displacement_m(const Camera& camera, const Box& box, const glm::dvec3& axis,
                               double error_px);
 
+/// A bound of how far a displacement of at most `delta_m` along `axis` moves any point of the box
+/// *that is in view*: at least the largest such distance, +inf if a moved point may come to the
+/// eye's plane; 0 where no part of the box can be in view. The inverse of allowed_displacement_m.
+double displacement_bound_px(const Camera& camera, const Box& box, const glm::dvec3& axis,
+                             double delta_m);
+
 /// False only if no point of the box lies in the camera's frustum (near plane and four sides; far
 /// is ignored).
 bool may_be_in_view(const Camera& camera, const Box& box);

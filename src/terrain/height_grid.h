@@ -99,4 +99,18 @@ class HeightGrid {
   HeightCoding coding_;
 };
 
+/// The heights of a grid as floats: its own, or a copy where it holds codes. Keeps a reference to
+/// the grid.
+class FloatHeights {
+ public:
+  explicit FloatHeights(const HeightGrid& heights)
+      : own_(heights.as_floats()), made_(own_ != nullptr ? Grid<float>{} : heights.to_floats()) {}
+
+  const Grid<float>& operator*() const { return own_ != nullptr ? *own_ : made_; }
+
+ private:
+  const Grid<float>* own_;
+  Grid<float> made_;
+};
+
 }  // namespace plumb::terrain

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/check.h"
 #include "core/parallel.h"
 #include "mesh/patch_quadtree/container_header.h"
 #include "mesh/patch_quadtree/modelled_patch.h"
 #include "mesh/patch_quadtree/published_family.h"
-#include "mesh/patch_quadtree/stored_models.h"
+#include "mesh/patch_quadtree/rans_models.h"
 
 namespace plumb::mesh::patch_quadtree {
 namespace {
@@ -19,8 +20,8 @@ ChildPlace place_in_parent(const PatchPlace& patch) {
 
 class Encoder {
  public:
-  Encoder(const terrain::Heightfield& field, EncodedHeights& encoded)
-      : field_(field), header_(encoded.header), heights_(encoded.heights) {}
+  Encoder(const Grid<float>& heights_m, EncodedHeights& encoded)
+      : heights_m_(heights_m), header_(encoded.header), heights_(encoded.heights) {}
 
   void run() {
     const std::int64_t patches = header_.layout.patch_count();
@@ -32,8 +33,8 @@ class Encoder {
     }
     heights_.resize(static_cast<std::size_t>(patches));
     const SymbolCounts counts = all_counts(patches);
-    header_.models = stored_models(counts);
-    const ModelTables tables = *models_of(header_.models);
+    header_.models = rans_model_bytes(counts.counts);
+    const ModelTables tables{*rans_tables_of(header_.models, kModels)};
     heights_.front() = encode_root(numbers(header_.layout.root()));
     parallel_for(patches - 1, 1, [&](std::int64_t k) {
       const PatchPlace patch = header_.layout.place(k + 1);
@@ -44,7 +45,7 @@ class Encoder {
 
  private:
   PatchNumbers numbers(const PatchPlace& patch) const {
-    return numbers_of(field_.heights_m, header_.layout, patch, header_.quantiser);
+    return numbers_of(heights_m_, header_.layout, patch, header_.quantiser);
   }
 
   SymbolCounts all_counts(std::int64_t patches) const {
@@ -74,7 +75,7 @@ class Encoder {
     heights_[static_cast<std::size_t>(k)] = encode_family(numbers(patch), children);
   }
 
-  const terrain::Heightfield& field_;
+  const Grid<float>& heights_m_;
   ContainerHeader& header_;
   std::vector<Bytes>& heights_;
 };
@@ -121,7 +122,8 @@ EncodedHeights encode_heights(const terrain::Heightfield& field, const EncodeOpt
   if (const std::string why = wrong_with(header); !why.empty())
     input_error("{} within {:g} m cannot be coded: {}", header.source, header.error_m, why);
   require_within(field, header);
-  Encoder(field, encoded).run();
+  const terrain::FloatHeights heights_m(field.heights_m);
+  Encoder(*heights_m, encoded).run();
   return encoded;
 }
 

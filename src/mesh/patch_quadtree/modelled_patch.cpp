@@ -163,11 +163,6 @@ void SymbolCounts::add(const SymbolCounts& other) {
   }
 }
 
-ModelTables::ModelTables(const std::array<RansFrequencies, kModels>& frequencies) {
-  tables.reserve(kModels);
-  for (const RansFrequencies& each : frequencies) tables.emplace_back(each);
-}
-
 void count_symbols(const PatchNumbers& parent, const ChildPlace& place, const PatchNumbers& child,
                    SymbolCounts& counts) {
   visit_symbols(parent, place, child, [&](std::size_t model, std::uint32_t number) {

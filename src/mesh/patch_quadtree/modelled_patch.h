@@ -29,9 +29,7 @@ struct SymbolCounts {
 
 /// Tables of all contexts, in the order of SymbolCounts.
 struct ModelTables {
-  std::vector<RansTable> tables;
-
-  explicit ModelTables(const std::array<RansFrequencies, kModels>& frequencies);
+  std::vector<RansTable> tables;  // kModels
 };
 
 /// A child of a patch: (s, t) of it, at its level.

@@ -8,7 +8,7 @@
 #include "core/check.h"
 #include "core/memory.h"
 #include "core/parallel.h"
-#include "mesh/patch_quadtree/stored_models.h"
+#include "mesh/patch_quadtree/rans_models.h"
 
 namespace plumb::mesh::patch_quadtree {
 namespace {
@@ -82,7 +82,8 @@ void put_patch(const PatchPlace& place, const Grid<float>& patch, const PatchLay
 
 PatchDecoder::PatchDecoder(const Container& container) : container_(container) {
   if (header().version == CodecVersion::Published) return;
-  tables_ = models_of(header().models);
+  auto tables = rans_tables_of(header().models, kModels);
+  if (tables) tables_ = ModelTables{std::move(*tables)};
   if (!tables_) input_error("cannot read '{}': its models are damaged", container.name());
 }
 

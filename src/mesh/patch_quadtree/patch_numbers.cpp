@@ -2,17 +2,15 @@
 
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace plumb::mesh::patch_quadtree {
 
-PatchNumbers numbers_of(const terrain::HeightGrid& heights_m, const PatchLayout& layout,
+PatchNumbers numbers_of(const Grid<float>& heights_m, const PatchLayout& layout,
                         const PatchPlace& patch, const Quantiser& quantiser) {
   const int side = layout.side();
   PatchNumbers numbers{Grid<std::int32_t>(side, side), {}};
-  std::vector<float> buffer;
   for (int j = 0; j < side; ++j) {
-    const auto row = heights_m.row(layout.sample_row(patch, j - 1), buffer);
+    const auto row = heights_m.row(layout.sample_row(patch, j - 1));
     for (int i = 0; i < side; ++i) {
       const float height = row[static_cast<std::size_t>(layout.sample_column(patch, i - 1))];
       if (std::isnan(height)) {

@@ -126,8 +126,8 @@ TriangleErrors::TriangleErrors(const Heightfield& field) : field_(field) {
   require_memory(
       static_cast<std::int64_t>(field.heights_m.size() * (is_coded ? 3 : 2) * sizeof(float)),
       "the errors of a restricted quadtree");
-  const Grid<float> decoded = is_coded ? field.heights_m.to_floats() : Grid<float>();
-  const Grid<float>& heights_m = is_coded ? decoded : *field.heights_m.as_floats();
+  const terrain::FloatHeights floats(field.heights_m);
+  const Grid<float>& heights_m = *floats;
   errors_.assign(2 * field.heights_m.size(), kEmpty);
   for (int half = 1; half <= std::max(1, root_side_ / 2); half *= 2) {
     fill_level(heights_m, half, false);

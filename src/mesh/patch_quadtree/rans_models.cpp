@@ -1,0 +1,48 @@
+#include "mesh/patch_quadtree/rans_models.h"
+
+#include <algorithm>
+
+namespace plumb::mesh::patch_quadtree {
+
+Bytes rans_model_bytes(std::span<const RansCounts> contexts) {
+  Bytes used((contexts.size() + 7) / 8, 0), bytes;
+  for (std::size_t m = 0; m < contexts.size(); ++m) {
+    const RansCounts& symbols = contexts[m];
+    if (std::all_of(symbols.begin(), symbols.end(), [](std::uint64_t n) { return n == 0; }))
+      continue;
+    used[m / 8] = static_cast<std::uint8_t>(used[m / 8] | 1u << m % 8);
+    for (const std::uint16_t frequency : rans_frequencies(symbols)) {
+      bytes.push_back(static_cast<std::uint8_t>(frequency));
+      bytes.push_back(static_cast<std::uint8_t>(frequency >> 8));
+    }
+  }
+  used.insert(used.end(), bytes.begin(), bytes.end());
+  return used;
+}
+
+std::optional<std::vector<RansTable>> rans_tables_of(std::span<const std::uint8_t> bytes,
+                                                     std::size_t contexts) {
+  ByteReader reader(bytes);
+  const auto used = reader.bytes((contexts + 7) / 8);
+  const RansFrequencies even = rans_frequencies(RansCounts{});
+  std::vector<RansTable> tables;
+  tables.reserve(contexts);
+  for (std::size_t m = 0; m < contexts && !reader.overrun(); ++m) {
+    RansFrequencies frequencies = even;
+    if ((used[m / 8] >> m % 8 & 1u) != 0) {
+      std::uint32_t sum = 0;
+      for (std::uint16_t& frequency : frequencies) {
+        const std::uint32_t low = reader.byte();
+        frequency = static_cast<std::uint16_t>(low | std::uint32_t{reader.byte()} << 8);
+        if (frequency == 0 || frequency >= kRansTotal) return std::nullopt;
+        sum += frequency;
+      }
+      if (sum != kRansTotal) return std::nullopt;
+    }
+    tables.emplace_back(frequencies);
+  }
+  if (reader.overrun() || !reader.rest().empty()) return std::nullopt;
+  return tables;
+}
+
+}  // namespace plumb::mesh::patch_quadtree

@@ -1,0 +1,156 @@
+#include "mesh/tessellation/build.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "core/check.h"
+#include "core/parallel.h"
+#include "mesh/tessellation/bounds_record.h"
+#include "mesh/tessellation/published_error.h"
+
+namespace plumb::mesh::tessellation {
+
+using patch_quadtree::Bytes;
+using patch_quadtree::ByteReader;
+using patch_quadtree::ContainerHeader;
+using patch_quadtree::ContainerRecords;
+using patch_quadtree::EncodedHeights;
+using patch_quadtree::PatchLayout;
+using patch_quadtree::PatchPlace;
+using patch_quadtree::Payload;
+using patch_quadtree::RansCounts;
+using patch_quadtree::RansTable;
+
+namespace {
+
+// Codes reach from the whole relief down by 2^-31 of it.
+BoundScale scale_for(const Grid<float>& heights_m, double error_m) {
+  const auto [low, high] = parallel_ordered_reduce(
+      heights_m.rows(), 64, std::pair<double, double>{0.0, 0.0},
+      [&](std::int64_t begin, std::int64_t end, std::pair<double, double> range) {
+        for (std::int64_t j = begin; j < end; ++j) {
+          for (const float height : heights_m.row(static_cast<int>(j))) {
+            if (height < range.first) range.first = height;
+            if (height > range.second) range.second = height;
+          }
+        }
+        return range;
+      },
+      [](auto a, const auto& b) {
+        return std::pair{std::min(a.first, b.first), std::max(a.second, b.second)};
+      });
+  return {std::ldexp(high - low + 4.0 * error_m, -31)};
+}
+
+// All patches' bounds, from heights as they will be decoded.
+std::vector<PatchBounds> measured_bounds(const Grid<float>& heights_m,
+                                         const ContainerHeader& header, const BlockPieces& pieces,
+                                         const BoundScale& scale) {
+  const PatchLayout& layout = header.layout;
+  const std::vector<float> published = published_errors(heights_m, layout);
+  std::vector<PatchBounds> bounds(static_cast<std::size_t>(layout.patch_count()));
+  for (int level = 0; level < layout.levels; ++level) {
+    const BoundsOfLevel measure(heights_m, layout, level, pieces, scale);
+    const std::int64_t first = layout.first_of_level(level);
+    parallel_for(layout.first_of_level(level - 1) - first, 1, [&](std::int64_t k) {
+      const PatchPlace patch = layout.place(first + k);
+      const Grid<float> decoded = patch_quadtree::heights_of(
+          patch_quadtree::numbers_of(heights_m, layout, patch, header.quantiser), header.quantiser,
+          level);
+      PatchBounds& here = bounds[static_cast<std::size_t>(first + k)];
+      here = measure.bounds(patch, decoded);
+      here.published_m = published[static_cast<std::size_t>(first + k)];
+    });
+  }
+  return bounds;
+}
+
+Bytes parameter_bytes(int block_cells, const BoundScale& scale,
+                      const std::vector<RansCounts>& counts) {
+  Bytes bytes;
+  patch_quadtree::put_number(static_cast<std::uint64_t>(block_cells), bytes);
+  const auto word = std::bit_cast<std::uint64_t>(scale.unit_m);
+  for (int k = 0; k < 64; k += 8) bytes.push_back(static_cast<std::uint8_t>(word >> k));
+  patch_quadtree::put_part(patch_quadtree::rans_model_bytes(counts), bytes);
+  return bytes;
+}
+
+struct Parameters {
+  int block_cells = 0;
+  BoundScale scale;
+  std::vector<RansTable> tables;
+};
+
+int levels_of(int block_cells) {
+  return std::countr_zero(static_cast<unsigned>(block_cells)) + 1;
+}
+
+// `named`: the file, for what is wrong with it.
+Parameters parameters_of(const ContainerHeader& header, const std::string& named) {
+  ByteReader reader(header.parameters);
+  Parameters parameters;
+  const std::uint64_t cells = reader.number();
+  std::uint64_t word = 0;
+  for (int k = 0; k < 64; k += 8) word |= std::uint64_t{reader.byte()} << k;
+  parameters.scale.unit_m = std::bit_cast<double>(word);
+  const auto models = reader.bytes(reader.number());
+  const bool fits = cells >= 8 && cells <= 64 && std::has_single_bit(cells) &&
+                    cells <= static_cast<std::uint64_t>(header.layout.patch_cells) &&
+                    parameters.scale.unit_m > 0.0 && std::isfinite(parameters.scale.unit_m) &&
+                    !reader.overrun() && reader.rest().empty();
+  if (fits) {
+    parameters.block_cells = static_cast<int>(cells);
+    auto tables = patch_quadtree::rans_tables_of(
+        models, bound_contexts(levels_of(parameters.block_cells)));
+    if (tables) parameters.tables = std::move(*tables);
+  }
+  if (parameters.tables.empty()) input_error("cannot read '{}': the parameters of its bounds are damaged", named);
+  return parameters;
+}
+
+}  // namespace
+
+Bytes build(const terrain::Heightfield& field, const BuildOptions& options) {
+  require(options.block_cells <= options.heights.patch_cells,
+          "block_cells must be at most patch_cells, got {} and {}", options.block_cells,
+          options.heights.patch_cells);
+  const BlockPieces pieces(options.block_cells);
+  EncodedHeights encoded = patch_quadtree::encode_heights(field, options.heights);
+  ContainerHeader& header = encoded.header;
+  header.payload = Payload::Tessellation;
+  const terrain::FloatHeights floats(field.heights_m);
+  const Grid<float>& heights_m = *floats;
+  const BoundScale scale = scale_for(heights_m, options.heights.error_m);
+  const std::vector<PatchBounds> bounds = measured_bounds(heights_m, header, pieces, scale);
+
+  std::vector<RansCounts> counts(bound_contexts(levels_of(options.block_cells)));
+  for (const PatchBounds& each : bounds) count_bounds(each, counts);
+  header.parameters = parameter_bytes(options.block_cells, scale, counts);
+  const Parameters parameters = parameters_of(header, header.source);
+  ContainerRecords records{std::move(encoded.heights), std::vector<Bytes>(bounds.size())};
+  parallel_for(static_cast<std::int64_t>(bounds.size()), 16, [&](std::int64_t k) {
+    records.payload[static_cast<std::size_t>(k)] =
+        encode_bounds(bounds[static_cast<std::size_t>(k)], parameters.tables);
+  });
+  return patch_quadtree::container_bytes(header, records);
+}
+
+Bounds read_bounds(const patch_quadtree::Container& container) {
+  const ContainerHeader& header = container.header();
+  if (header.payload != Payload::Tessellation)
+    input_error("'{}' was not built for tessellation: plumb build --method tessellation makes one",
+                container.name());
+  const Parameters parameters = parameters_of(header, container.name());
+  Bounds bounds{parameters.block_cells, parameters.scale,
+                std::vector<PatchBounds>(static_cast<std::size_t>(header.layout.patch_count()))};
+  const int blocks = header.layout.patch_cells / parameters.block_cells;
+  parallel_for(header.layout.patch_count(), 16, [&](std::int64_t k) {
+    if (!decode_bounds(container.payload(k), blocks, levels_of(parameters.block_cells),
+                       parameters.tables, bounds.patches[static_cast<std::size_t>(k)]))
+      input_error("cannot read '{}': the bounds of patch {} are none", container.name(), k);
+  });
+  return bounds;
+}
+
+}  // namespace plumb::mesh::tessellation

@@ -1,0 +1,28 @@
+// The triangles of one patch, block by block.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/triangle_mesh.h"
+#include "mesh/tessellation/block_levels.h"
+
+namespace plumb::mesh::tessellation {
+
+/// A sample of a patch, from its south-west corner.
+struct PatchPoint {
+  std::uint16_t i = 0, j = 0;
+};
+
+/// Triangles by the points that they use, each point once, in the order of their first use.
+/// Triangles with a void corner are left out, as are those without area: beyond the terrain.
+struct PatchMesh {
+  std::vector<PatchPoint> points;
+  std::vector<Triangle> triangles;
+  std::vector<std::uint8_t> thinned;  // of each triangle: its block's inside, by 2^d
+};
+
+PatchMesh mesh_of_patch(const Prepared& prepared, const patch_quadtree::PatchPlace& patch,
+                        const Grid<float>& heights_m, const PatchLevels& levels);
+
+}  // namespace plumb::mesh::tessellation

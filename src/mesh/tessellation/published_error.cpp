@@ -1,0 +1,67 @@
+#include "mesh/tessellation/published_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+
+namespace plumb::mesh::tessellation {
+
+using patch_quadtree::PatchLayout;
+using patch_quadtree::PatchPlace;
+
+namespace {
+
+// The largest deviation of a patch, bilinear between its samples, from samples half as far apart.
+double interpolation_error(const Grid<float>& heights_m, const PatchLayout& layout,
+                           const PatchPlace& patch) {
+  const int side = 2 * layout.patch_cells + 1;
+  // Of the two children along an axis: where sample k of both together stands.
+  const PatchPlace first = patch.child(0, 0);
+  std::vector<int> columns, rows;
+  for (int k = 0; k < side; ++k) {
+    columns.push_back(layout.sample_column(first, k));
+    rows.push_back(layout.sample_row(first, k));
+  }
+  double largest = 0.0;
+  for (int j = 0; j < side; ++j) {
+    const auto at = [&](int i, int row) {
+      return double{heights_m(columns[static_cast<std::size_t>(i)],
+                              rows[static_cast<std::size_t>(row)])};
+    };
+    const int south = j & ~1, north = south + (j & 1) * 2;
+    for (int i = 0; i < side; ++i) {
+      const int west = i & ~1, east = west + (i & 1) * 2;
+      const double interpolated =
+          0.25 * (at(west, south) + at(east, south) + at(west, north) + at(east, north));
+      const double off = std::abs(interpolated - at(i, j));
+      if (off > largest) largest = off;  // false where a sample is void
+    }
+  }
+  return largest;
+}
+
+}  // namespace
+
+std::vector<float> published_errors(const Grid<float>& heights_m, const PatchLayout& layout) {
+  std::vector<float> errors(static_cast<std::size_t>(layout.patch_count()), 0.0f);
+  for (int level = 1; level < layout.levels; ++level) {
+    const std::int64_t first = layout.first_of_level(level);
+    const std::int64_t count = layout.first_of_level(level - 1) - first;
+    parallel_for(count, 1, [&](std::int64_t k) {
+      const PatchPlace patch = layout.place(first + k);
+      float of_children = 0.0f;
+      for (int c = 0; c < 4; ++c) {
+        const PatchPlace child = patch.child(c & 1, c >> 1);
+        if (layout.contains(child))
+          of_children =
+              std::max(of_children, errors[static_cast<std::size_t>(layout.index(child))]);
+      }
+      errors[static_cast<std::size_t>(first + k)] = static_cast<float>(
+          interpolation_error(heights_m, layout, patch) + double{of_children});
+    });
+  }
+  return errors;
+}
+
+}  // namespace plumb::mesh::tessellation
