@@ -186,6 +186,24 @@ TEST(TessellatorProperty, PlacesPowersOfTwoExactly) {
   }
 }
 
+// At equal factors, as bounds on the error of a block rely on; in a middle row or column either
+// way is as near.
+TEST(TessellatorProperty, LeansDiagonalsToTheCentre) {
+  for (int n = 2; n <= 64; ++n) {
+    const auto factor = static_cast<float>(n);
+    const Tessellation t =
+        tessellate(Spacing::Integer, {{factor, factor, factor, factor}, {factor, factor}});
+    for (const auto& triangle : t.triangles) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const DomainPoint a = t.points[triangle[c]], b = t.points[triangle[(c + 1) % 3]];
+        if (a.u == b.u || a.v == b.v || a.u + b.u == kOne || a.v + b.v == kOne) continue;
+        const bool rising = (a.u < b.u) == (a.v < b.v);
+        EXPECT_EQ(rising, (a.u + b.u < kOne) == (a.v + b.v < kOne)) << n;
+      }
+    }
+  }
+}
+
 // ---- the cover
 
 // Twice the area, in units of the domain; positive if counter-clockwise.
