@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 
+#include "audit/flat_triangle.h"
 #include "audit/grid_crossings.h"
 #include "audit/sample_error.h"
 #include "core/parallel.h"
@@ -24,13 +26,39 @@ bool is_whole(double u) {
 
 bool on_sample(double u, double v) { return is_whole(u) && is_whole(v); }
 
+// Vertical triangles (skirts) and those without area lie over no place: their edges count where
+// another triangle shares them.
+class PlacelessTriangles {
+ public:
+  explicit PlacelessTriangles(const TriangleMesh& mesh) : placeless_(mesh.triangles.size()) {
+    parallel_for(static_cast<std::int64_t>(placeless_.size()), 1 << 14, [&](std::int64_t t) {
+      const Triangle& corners = mesh.triangles[static_cast<std::size_t>(t)];
+      const FlatTriangle flat(mesh.vertices_m[corners[0]], mesh.vertices_m[corners[1]],
+                              mesh.vertices_m[corners[2]]);
+      placeless_[static_cast<std::size_t>(t)] = flat.is_flat() ? 0 : 1;
+    });
+  }
+  bool operator[](std::uint32_t triangle) const { return placeless_[triangle] != 0; }
+  /// The first side that is of a triangle over a place; null if none is.
+  const HalfEdge* first_placed(std::span<const HalfEdge> sides) const {
+    for (const HalfEdge& side : sides)
+      if (placeless_[side.triangle] == 0) return &side;
+    return nullptr;
+  }
+
+ private:
+  std::vector<std::uint8_t> placeless_;
+};
+
 // Goes through the places between the samples, in an order that the mesh alone decides.
 class EdgeWalk {
  public:
-  EdgeWalk(const HeightfieldTruth& truth, const TriangleMesh& mesh, const MeshEdges& edges)
+  EdgeWalk(const HeightfieldTruth& truth, const TriangleMesh& mesh, const MeshEdges& edges,
+           const PlacelessTriangles& placeless)
       : field_(truth.field()),
         mesh_(mesh),
         edges_(edges),
+        placeless_(placeless),
         shift_(mesh.origin_m - field_.world_origin_m()),
         crossings_(field_, truth.diagonal()) {}
 
@@ -40,17 +68,19 @@ class EdgeWalk {
   void operator()(std::int64_t begin, std::int64_t end, const Look& look) {
     for (auto low = static_cast<std::uint32_t>(begin); low < end; ++low) {
       const auto sides = edges_.from(low);
-      if (sides.empty()) continue;
+      const HalfEdge* first = placeless_.first_placed(sides);
+      if (first == nullptr) continue;
       const glm::dvec3 p = mesh_.vertices_m[low] + shift_;
-      vertex(p, sides.front().triangle, look);
+      vertex(p, first->triangle, look);
       std::uint32_t last = low;
       for (const HalfEdge& side : sides) {
         if (side.high == last) continue;  // the same edge, of another triangle
+        if (placeless_[side.triangle]) continue;
         last = side.high;
         const glm::dvec3 q = mesh_.vertices_m[last] + shift_;
         edge(p, q, side.triangle, look);
         // A vertex that is the lesser of no edge has no turn of its own.
-        if (edges_.from(last).empty()) vertex(q, side.triangle, look);
+        if (placeless_.first_placed(edges_.from(last)) == nullptr) vertex(q, side.triangle, look);
       }
     }
   }
@@ -80,6 +110,7 @@ class EdgeWalk {
   const terrain::Heightfield& field_;
   const TriangleMesh& mesh_;
   const MeshEdges& edges_;
+  const PlacelessTriangles& placeless_;
   glm::dvec3 shift_;
   GridCrossings crossings_;
 };
@@ -173,13 +204,14 @@ EdgeErrors edge_errors(const HeightfieldTruth& truth, const TriangleMesh& mesh,
                        const MeshEdges& edges, const Camera& camera) {
   const Camera local = relative_to(camera, truth.field().world_origin_m());
   const PlaceMeasure measure(truth, local);
+  const PlacelessTriangles placeless(mesh);
   return parallel_ordered_reduce(
       edges.vertices(), kGrain, EdgeErrors{},
       [&](std::int64_t begin, std::int64_t end, EdgeErrors errors) {
-        EdgeWalk(truth, mesh, edges)(begin, end,
-                                     [&](const glm::dvec3& drawn, std::uint32_t triangle) {
-                                       measure.add(drawn, triangle, errors);
-                                     });
+        EdgeWalk(truth, mesh, edges, placeless)(
+            begin, end, [&](const glm::dvec3& drawn, std::uint32_t triangle) {
+              measure.add(drawn, triangle, errors);
+            });
         return errors;
       },
       worse);
@@ -190,10 +222,11 @@ EdgePlacesOver edge_places_over(const HeightfieldTruth& truth, const TriangleMes
                                 const Tolerance& bound, std::size_t most) {
   const Camera local = relative_to(camera, truth.field().world_origin_m());
   const PlaceMeasure measure(truth, local);
+  const PlacelessTriangles placeless(mesh);
   return parallel_ordered_reduce(
       edges.vertices(), kGrain, EdgePlacesOver{},
       [&](std::int64_t begin, std::int64_t end, EdgePlacesOver over) {
-        EdgeWalk(truth, mesh, edges)(
+        EdgeWalk(truth, mesh, edges, placeless)(
             begin, end, [&](const glm::dvec3& drawn, std::uint32_t triangle) {
               const EdgePlace place = measure.at(drawn, triangle, bound.unit);
               if (!(place.error > bound.value)) return;

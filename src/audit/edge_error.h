@@ -17,7 +17,8 @@ namespace plumb::audit {
 
 /// The sample error between the samples: at the drawn mesh's vertices and wherever a drawn edge
 /// crosses an edge of the truth. With the samples themselves these are all places where the
-/// distance of two piecewise linear surfaces can be largest.
+/// distance of two piecewise linear surfaces can be largest. Vertical triangles (skirts) lie over
+/// no place.
 struct EdgeErrors {
   double max_m = 0.0;
   double max_px = 0.0;                     // of places in the frustum

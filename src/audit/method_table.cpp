@@ -205,8 +205,8 @@ std::unique_ptr<PreparedMethod> prepare_tessellation(const terrain::Heightfield&
   parameters.patch_cells = power_parameter(choice, "patch_cells", parameters.patch_cells, 1024);
   parameters.block_cells = power_parameter(choice, "block_cells", parameters.block_cells,
                                            std::min(64, parameters.patch_cells));
-  parameters.format_version = word_parameter<std::uint32_t>(choice, "format_version",
-                                                            {{"2", 2}, {"1", 1}});
+  parameters.format_version =
+      word_parameter<std::uint32_t>(choice, "format_version", {{"2", 2}, {"1", 1}});
   return adapt(tessellation::prepare(field, parameters), tessellation::draw);
 }
 
@@ -237,7 +237,8 @@ Method tessellation_row(const std::string& name, const std::string& summary, boo
 
 const MethodTable& built_in_methods() {
   static const MethodTable table{
-      full(), restricted_quadtree(),
+      full(),
+      restricted_quadtree(),
       tessellation_row("tessellation",
                        "patches of a compressed quadtree, their blocks refined by a tessellator",
                        true),

@@ -55,6 +55,7 @@ class Chooser {
         prepared_.bounds->patches[static_cast<std::size_t>(layout_.index(place))];
     const BoundScale& scale = prepared_.bounds->scale;
     const int cells = prepared_.pieces->block_cells();
+    const Box whole = box_of(prepared_, place);
     own_[at] = Grid<OwnLevel>(blocks_, blocks_);
     patch = {Grid<BlockLevels>(blocks_, blocks_), Grid<double>(blocks_, blocks_)};
     for (int j = 0; j < blocks_; ++j) {
@@ -68,11 +69,15 @@ class Chooser {
         if (own.is_void) continue;
         ++counts.blocks;
         counts.sides += 4;
+        // The truth is no farther from what full detail draws; nor does it leave the patch's box.
         const double full_m = scale.value(bounds.code(i, j, 0));
-        box.low.z -= full_m;  // the truth is no farther from what full detail draws
-        box.high.z += full_m;
+        box.low.z = std::max(box.low.z - full_m, whole.low.z);
+        box.high.z = std::min(box.high.z + full_m, whole.high.z);
         const double allowed_m = view_.allowed_m(box);
-        while (own.level > 0 && scale.value(bounds.code(i, j, own.level)) > allowed_m) --own.level;
+        const auto keeps = [&](std::uint8_t code) {
+          return code != BoundScale::kNone && scale.value(code) <= allowed_m;
+        };
+        while (own.level > 0 && !keeps(bounds.code(i, j, own.level))) --own.level;
         const double bound_m = scale.value(bounds.code(i, j, own.level));
         patch.bound_m(i, j) = bound_m;
         if (bound_m > allowed_m) {
@@ -91,8 +96,7 @@ class Chooser {
       place.px += kAcross[side][0];
       place.py += kAcross[side][1];
       if (!layout_.contains(place)) return nullptr;
-      const std::int32_t state =
-          selection_.state[static_cast<std::size_t>(layout_.index(place))];
+      const std::int32_t state = selection_.state[static_cast<std::size_t>(layout_.index(place))];
       if (state < 0) return nullptr;
       at = static_cast<std::size_t>(state);
       a = (a + blocks_) % blocks_;

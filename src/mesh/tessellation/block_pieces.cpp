@@ -25,7 +25,8 @@ std::vector<BlockTriangle> triangles_of(int cells, int coarsest, const BlockLeve
                       static_cast<std::uint8_t>(p.v >> shift)};
   };
   std::vector<BlockTriangle> triangles;
-  for (const auto& t : drawn.triangles) triangles.push_back({point(t[0]), point(t[1]), point(t[2])});
+  for (const auto& t : drawn.triangles)
+    triangles.push_back({point(t[0]), point(t[1]), point(t[2])});
   return triangles;
 }
 

@@ -92,8 +92,7 @@ std::size_t bound_contexts(int levels) {
 
 void count_bounds(const PatchBounds& bounds, std::span<RansCounts> counts) {
   visit_symbols(
-      bounds,
-      [&](std::size_t context, std::uint32_t symbol) { ++counts[context][symbol]; },
+      bounds, [&](std::size_t context, std::uint32_t symbol) { ++counts[context][symbol]; },
       [](std::uint32_t) {});
 }
 
@@ -130,8 +129,7 @@ bool decode_bounds(std::span<const std::uint8_t> bytes, int blocks, int levels,
   if (kind == 0) return !reader.overrun() && reader.rest().empty();
   bounds.low_m = take_float(reader);
   bounds.high_m = take_float(reader);
-  if (!std::isfinite(bounds.low_m) || !std::isfinite(bounds.high_m) ||
-      bounds.low_m > bounds.high_m)
+  if (!std::isfinite(bounds.low_m) || !std::isfinite(bounds.high_m) || bounds.low_m > bounds.high_m)
     return false;
   GammaReader escapes(reader.bytes(reader.number()));
   RansDecoder decoder(reader.rest());

@@ -11,8 +11,8 @@
 
 namespace plumb::mesh::tessellation {
 
-using patch_quadtree::Bytes;
 using patch_quadtree::ByteReader;
+using patch_quadtree::Bytes;
 using patch_quadtree::ContainerHeader;
 using patch_quadtree::ContainerRecords;
 using patch_quadtree::EncodedHeights;
@@ -82,9 +82,7 @@ struct Parameters {
   std::vector<RansTable> tables;
 };
 
-int levels_of(int block_cells) {
-  return std::countr_zero(static_cast<unsigned>(block_cells)) + 1;
-}
+int levels_of(int block_cells) { return std::countr_zero(static_cast<unsigned>(block_cells)) + 1; }
 
 // `named`: the file, for what is wrong with it.
 Parameters parameters_of(const ContainerHeader& header, const std::string& named) {
@@ -101,11 +99,12 @@ Parameters parameters_of(const ContainerHeader& header, const std::string& named
                     !reader.overrun() && reader.rest().empty();
   if (fits) {
     parameters.block_cells = static_cast<int>(cells);
-    auto tables = patch_quadtree::rans_tables_of(
-        models, bound_contexts(levels_of(parameters.block_cells)));
+    auto tables =
+        patch_quadtree::rans_tables_of(models, bound_contexts(levels_of(parameters.block_cells)));
     if (tables) parameters.tables = std::move(*tables);
   }
-  if (parameters.tables.empty()) input_error("cannot read '{}': the parameters of its bounds are damaged", named);
+  if (parameters.tables.empty())
+    input_error("cannot read '{}': the parameters of its bounds are damaged", named);
   return parameters;
 }
 

@@ -109,9 +109,9 @@ void BoundsOfLevel::measure(const Geometry& geometry, const std::vector<double>&
     double largest = 0.0;
     for (int side = 0; side < 4; ++side) {
       largest = std::max(
-          largest, geometry.strips[static_cast<std::size_t>((inside * 4 + side) * (coarsest + 1) +
-                                                            along)]
-                       .deviation(drawn_m, truth));
+          largest,
+          geometry.strips[static_cast<std::size_t>((inside * 4 + side) * (coarsest + 1) + along)]
+              .deviation(drawn_m, truth));
     }
     return largest;
   };

@@ -45,7 +45,8 @@ class BoundsOfLevel {
   BoundsOfLevel(const Grid<float>& heights_m, const patch_quadtree::PatchLayout& layout, int level,
                 const BlockPieces& pieces, const BoundScale& scale);
 
-  /// decoded_m: (n + 3)^2 heights of the patch as a decoder gives them. `published_m` is left alone.
+  /// decoded_m: (n + 3)^2 heights of the patch as a decoder gives them. `published_m` is left
+  /// alone.
   PatchBounds bounds(const patch_quadtree::PatchPlace& patch, const Grid<float>& decoded_m) const;
 
  private:

@@ -36,9 +36,8 @@ class Emitter {
 
  private:
   std::uint32_t number(PatchPoint point) {
-    std::uint32_t& number = number_[static_cast<std::size_t>(point.j) *
-                                        static_cast<std::size_t>(side_) +
-                                    point.i];
+    std::uint32_t& number =
+        number_[static_cast<std::size_t>(point.j) * static_cast<std::size_t>(side_) + point.i];
     if (number == kNoPrimitive) {
       number = static_cast<std::uint32_t>(mesh_.points.size());
       mesh_.points.push_back(point);

@@ -14,8 +14,7 @@ using patch_quadtree::PatchPlace;
 namespace {
 
 const PatchBounds& bounds_of(const Prepared& prepared, const PatchPlace& patch) {
-  return prepared.bounds
-      ->patches[static_cast<std::size_t>(prepared.header().layout.index(patch))];
+  return prepared.bounds->patches[static_cast<std::size_t>(prepared.header().layout.index(patch))];
 }
 
 // gamma Err / rho. Source: [Yusov & Shevtsov 2011, section 5].
@@ -67,7 +66,7 @@ class Selector {
     const Box box = box_of(prepared_, patch);
     const double drawn_m = prepared_.bounds->error_m(layout_.index(patch));
     if (prepared_.parameters.variant == Variant::Conservative)
-      return drawn_m <= view_.allowed_m(box);
+      return std::isfinite(drawn_m) && drawn_m <= view_.allowed_m(box);
     const double printed_m = double{bounds_of(prepared_, patch).published_m} +
                              prepared_.header().quantiser.error_m(patch.level);
     const auto passes = [&](double error_m, bool bound) {
@@ -125,8 +124,8 @@ std::vector<Grid<float>> decode_drawn(const Prepared& prepared, const PatchSelec
   const auto settle = [&](Node& node) {
     const std::int32_t at = state(node.place);
     if (at < 0) return;
-    heights[static_cast<std::size_t>(at)] = patch_quadtree::heights_of(
-        node.numbers, prepared.header().quantiser, node.place.level);
+    heights[static_cast<std::size_t>(at)] =
+        patch_quadtree::heights_of(node.numbers, prepared.header().quantiser, node.place.level);
     node.numbers = {};
   };
   std::vector<Node> level;
@@ -134,9 +133,8 @@ std::vector<Grid<float>> decode_drawn(const Prepared& prepared, const PatchSelec
     level.push_back({layout.root(), prepared.decoder->numbers(layout.root())});
   for (Node& root : level) settle(root);
   while (!level.empty()) {
-    std::erase_if(level, [&](const Node& node) {
-      return state(node.place) != PatchSelection::kAbove;
-    });
+    std::erase_if(level,
+                  [&](const Node& node) { return state(node.place) != PatchSelection::kAbove; });
     std::vector<Node> below(4 * level.size());
     parallel_for(static_cast<std::int64_t>(level.size()), 1, [&](std::int64_t k) {
       const Node& node = level[static_cast<std::size_t>(k)];

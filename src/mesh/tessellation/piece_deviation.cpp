@@ -5,7 +5,6 @@
 #include <set>
 #include <utility>
 
-
 namespace plumb::mesh::tessellation {
 namespace {
 
@@ -24,8 +23,8 @@ Quotient divide(std::int64_t above, std::int64_t below) {
 
 }  // namespace
 
-PieceGeometry::PieceGeometry(const std::vector<BlockTriangle>& triangles,
-                             const BlockPlaces& places, int truth_block)
+PieceGeometry::PieceGeometry(const std::vector<BlockTriangle>& triangles, const BlockPlaces& places,
+                             int truth_block)
     : side_(static_cast<int>(places.column.size())), truth_half_(truth_block / 2) {
   std::set<std::pair<BlockPoint, BlockPoint>> edges;
   for (const BlockTriangle& triangle : triangles) {
@@ -38,8 +37,7 @@ PieceGeometry::PieceGeometry(const std::vector<BlockTriangle>& triangles,
 
 PieceGeometry::Place PieceGeometry::place(const BlockPoint& point,
                                           const BlockPlaces& places) const {
-  return {places.column[point.i] - places.column.front(),
-          places.row[point.j] - places.row.front()};
+  return {places.column[point.i] - places.column.front(), places.row[point.j] - places.row.front()};
 }
 
 void PieceGeometry::add_plane(const BlockTriangle& triangle, const BlockPlaces& places) {
@@ -63,8 +61,7 @@ void PieceGeometry::add_plane(const BlockTriangle& triangle, const BlockPlaces& 
 // A sample is within a triangle that runs counter-clockwise where it lies left of every edge, or on
 // it.
 void PieceGeometry::add_spans(const std::array<Place, 3>& corners) {
-  const auto [low, high] =
-      std::minmax({corners[0].row, corners[1].row, corners[2].row});
+  const auto [low, high] = std::minmax({corners[0].row, corners[1].row, corners[2].row});
   const auto [west, east] = std::minmax({corners[0].column, corners[1].column, corners[2].column});
   for (int row = low; row <= high; ++row) {
     int begin = west, last = east;
@@ -104,8 +101,7 @@ void PieceGeometry::add_crossings(const BlockPoint& from, const BlockPoint& to,
   lines(a.row, rise, [&](int row, int steps) {
     const int of = std::abs(rise);
     const Quotient column = divide(std::int64_t{a.column} * of + std::int64_t{run} * steps, of);
-    if (column.rest != 0)
-      add(steps, of, {column.whole, row}, {column.whole + 1, row}, column.rest);
+    if (column.rest != 0) add(steps, of, {column.whole, row}, {column.whole + 1, row}, column.rest);
   });
   // Diagonals that rise: row - column is whole; that fall: row + column.
   lines(a.row - a.column, rise - run, [&](int difference, int steps) {
@@ -149,7 +145,8 @@ double PieceGeometry::sample_deviation(std::span<const double> drawn_m,
 double PieceGeometry::deviation(std::span<const double> drawn_m, const TruthBelow& truth) const {
   double largest = sample_deviation(drawn_m, truth);
   for (const Crossing& each : crossings_) {
-    const double from = drawn_m[each.from], a = truth.first[each.a.row * truth.stride + each.a.column];
+    const double from = drawn_m[each.from],
+                 a = truth.first[each.a.row * truth.stride + each.a.column];
     const double drawn = from + each.along * (drawn_m[each.to] - from);
     const double b = truth.first[each.b.row * truth.stride + each.b.column];
     const double off = std::abs(drawn - (a + each.across * (b - a)));

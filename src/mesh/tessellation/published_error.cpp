@@ -26,8 +26,8 @@ double interpolation_error(const Grid<float>& heights_m, const PatchLayout& layo
   double largest = 0.0;
   for (int j = 0; j < side; ++j) {
     const auto at = [&](int i, int row) {
-      return double{heights_m(columns[static_cast<std::size_t>(i)],
-                              rows[static_cast<std::size_t>(row)])};
+      return double{
+          heights_m(columns[static_cast<std::size_t>(i)], rows[static_cast<std::size_t>(row)])};
     };
     const int south = j & ~1, north = south + (j & 1) * 2;
     for (int i = 0; i < side; ++i) {
@@ -57,8 +57,8 @@ std::vector<float> published_errors(const Grid<float>& heights_m, const PatchLay
           of_children =
               std::max(of_children, errors[static_cast<std::size_t>(layout.index(child))]);
       }
-      errors[static_cast<std::size_t>(first + k)] = static_cast<float>(
-          interpolation_error(heights_m, layout, patch) + double{of_children});
+      errors[static_cast<std::size_t>(first + k)] =
+          static_cast<float>(interpolation_error(heights_m, layout, patch) + double{of_children});
     });
   }
   return errors;

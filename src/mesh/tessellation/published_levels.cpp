@@ -102,10 +102,11 @@ class PublishedPatch {
         printed_(*prepared.pieces, heights_m, false),
         mixed_(*prepared.pieces, heights_m, true) {
     const auto number = prepared.header().layout.index(patch);
-    error_m_ = mends(mended_, Cause::BilinearError)
-                   ? prepared.bounds->error_m(number)
-                   : double{prepared.bounds->patches[static_cast<std::size_t>(number)].published_m} +
-                         prepared.header().quantiser.error_m(patch.level);
+    error_m_ =
+        mends(mended_, Cause::BilinearError)
+            ? prepared.bounds->error_m(number)
+            : double{prepared.bounds->patches[static_cast<std::size_t>(number)].published_m} +
+                  prepared.header().quantiser.error_m(patch.level);
   }
 
   PatchLevels take() {
@@ -120,8 +121,7 @@ class PublishedPatch {
       for (int i = 0; i < blocks_; ++i) {
         BlockLevels& levels = result.levels(i, j);
         levels.side = {upright(i, j), level(i, j), upright(i + 1, j), level(i, j + 1)};
-        const auto [finest, coarsest] =
-            std::minmax_element(levels.side.begin(), levels.side.end());
+        const auto [finest, coarsest] = std::minmax_element(levels.side.begin(), levels.side.end());
         const bool mended = mends(mended_, Cause::InnerMinimum);
         levels.inside = mended ? *finest : *coarsest;
         ++counts_.blocks;
@@ -225,13 +225,12 @@ BlockErrors::BlockErrors(const BlockPieces& pieces, const Grid<float>& heights_m
         const bool one_whole = level == coarsest;
         double largest = one_whole ? deviation(geometry.whole) : 0.0;
         if (!one_whole || mixed) {
-          largest = std::max(largest,
-                             deviation(geometry.interior[static_cast<std::size_t>(inside)]));
+          largest =
+              std::max(largest, deviation(geometry.interior[static_cast<std::size_t>(inside)]));
           for (int side = 0; side < 4; ++side) {
             for (int along = mixed ? 0 : level; along <= level; ++along)
-              largest = std::max(
-                  largest, deviation(geometry.strips[static_cast<std::size_t>(
-                               (inside * 4 + side) * (coarsest + 1) + along)]));
+              largest = std::max(largest, deviation(geometry.strips[static_cast<std::size_t>(
+                                              (inside * 4 + side) * (coarsest + 1) + along)]));
           }
         }
         errors_m_.push_back(largest);

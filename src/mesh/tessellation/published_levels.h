@@ -28,7 +28,7 @@ class BlockErrors {
 /// Factors of a patch's blocks by projected lengths at the middles of their sides.
 /// Source: [Yusov & Shevtsov 2011, section 5, "Fine-Grain Level of Detail Selection"].
 PatchLevels published_levels(const Prepared& prepared, const ViewTest& view,
-                             const patch_quadtree::PatchPlace& patch,
-                             const Grid<float>& heights_m, LevelCounts& counts);
+                             const patch_quadtree::PatchPlace& patch, const Grid<float>& heights_m,
+                             LevelCounts& counts);
 
 }  // namespace plumb::mesh::tessellation

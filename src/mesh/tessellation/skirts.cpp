@@ -38,7 +38,8 @@ class SkirtsOfPatch {
     std::vector<Skirt> skirts;
     for (std::size_t side = 0; side < 4; ++side) {
       PatchPlace other = place_;
-      (side == West || side == East ? other.px : other.py) += side == West || side == South ? -1 : 1;
+      (side == West || side == East ? other.px : other.py) +=
+          side == West || side == South ? -1 : 1;
       if (!layout_.contains(other)) continue;
       for (int k = 0; k < blocks_; ++k) add(side, k, other, skirts);
     }
@@ -69,8 +70,10 @@ class SkirtsOfPatch {
   // West runs down, south to the east, east up, north to the west: outside lies to the right.
   std::vector<PatchPoint> top_of(std::size_t side, int i, int j) const {
     const int step = 1 << own_.levels(i, j).side[side];
-    const int at = side == West ? i * cells_ : side == East ? (i + 1) * cells_
-                 : side == South ? j * cells_ : (j + 1) * cells_;
+    const int at = side == West    ? i * cells_
+                   : side == East  ? (i + 1) * cells_
+                   : side == South ? j * cells_
+                                   : (j + 1) * cells_;
     const int first = (runs_up(side) ? j : i) * cells_;
     std::vector<PatchPoint> top;
     for (int along = 0; along <= cells_; along += step) {

@@ -53,8 +53,7 @@ class Joiner {
       surface_.triangle_lod.push_back(
           static_cast<std::uint8_t>(place.level + drawn.mesh.thinned[k]));
     }
-    end_patch();
-    claim_patch(at);
+    if (end_patch()) claim_patch(at);
     begin_patch(place, "skirts of ", 1);
     for (const Skirt& skirt : drawn.skirts) hang(at, skirt);
     end_patch();
@@ -88,9 +87,8 @@ class Joiner {
   std::uint32_t rim_vertex(std::size_t at, const PatchPoint& point) {
     const auto& layout = prepared_.header().layout;
     const PatchPlace& place = selection_.drawn[at];
-    const std::int64_t key =
-        std::int64_t{layout.sample_row(place, point.j)} * layout.columns +
-        layout.sample_column(place, point.i);
+    const std::int64_t key = std::int64_t{layout.sample_row(place, point.j)} * layout.columns +
+                             layout.sample_column(place, point.i);
     const float height_m = heights_m_[at](point.i + 1, point.j + 1);
     std::vector<RimVertex>& here = rim_[key];
     for (const RimVertex& vertex : here)
@@ -101,6 +99,7 @@ class Joiner {
 
   // Two triangles for each piece of the top; none where there is no height, or beyond the terrain.
   void hang(std::size_t at, const Skirt& skirt) {
+    if (skirt.depth_m == 0.0) return;
     for (std::size_t k = 0; k + 1 < skirt.top.size(); ++k) {
       const glm::dvec3 a = position(at, skirt.top[k]), b = position(at, skirt.top[k + 1]);
       if (std::isnan(a.z) || std::isnan(b.z) || (a.x == b.x && a.y == b.y)) continue;
@@ -124,17 +123,16 @@ class Joiner {
     patch.kind = kind;
     surface_.patches.push_back(std::move(patch));
   }
-  void end_patch() {
+  // False if there is nothing in it: then it is no patch.
+  bool end_patch() {
     Patch& patch = surface_.patches.back();
     patch.triangle_count =
         static_cast<std::uint32_t>(mesh_->triangles.size()) - patch.first_triangle;
-    if (patch.triangle_count == 0) surface_.patches.pop_back();
+    if (patch.triangle_count > 0) return true;
+    surface_.patches.pop_back();
+    return false;
   }
   void claim_patch(std::size_t at) {
-    if (surface_.patches.empty() || surface_.patches.back().kind != 0 ||
-        surface_.patches.back().first_triangle + surface_.patches.back().triangle_count !=
-            mesh_->triangles.size())
-      return;
     double bound_m = 0.0;
     for (const double bound : levels_.patches[at].bound_m.values())
       bound_m = std::max(bound_m, bound);
@@ -168,8 +166,8 @@ void add_claims(const Prepared& prepared, const ViewTest& view, const LevelCount
   surface.claims.insert(surface.claims.begin(), claims.begin(), claims.end());
 }
 
-void add_notes(const Prepared& prepared, const PatchSelection& selection,
-               const LevelCounts& counts, std::int64_t skirt_triangles, DrawnSurface& surface) {
+void add_notes(const Prepared& prepared, const PatchSelection& selection, const LevelCounts& counts,
+               std::int64_t skirt_triangles, DrawnSurface& surface) {
   surface.notes.push_back(fmt::format("{} patches of {} visited, {} blocks; {} triangles of skirts",
                                       selection.drawn.size(), selection.visited, counts.blocks,
                                       skirt_triangles));
@@ -190,7 +188,7 @@ void add_notes(const Prepared& prepared, const PatchSelection& selection,
                                                            : counts.sides;
     surface.notes.push_back(fmt::format("{}: {} of {} {} would be finer", name_of(cause),
                                         counts.finer[k], of,
-                                        of_patches ? "patches"
+                                        of_patches                     ? "patches"
                                         : cause == Cause::InnerMinimum ? "blocks"
                                                                        : "sides"));
   }
@@ -208,8 +206,7 @@ std::int64_t bytes_resident(const PatchSelection& selection, const Prepared& pre
 
 double least_error_m(const terrain::Heightfield& field) {
   const Box box = terrain::bounds(field);
-  const double highest =
-      box.empty() ? 0.0 : std::max(std::abs(box.low.z), std::abs(box.high.z));
+  const double highest = box.empty() ? 0.0 : std::max(std::abs(box.low.z), std::abs(box.high.z));
   return std::max(kErrorOfSpacing * std::max(field.dx_m, field.dy_m), kErrorOfHeight * highest);
 }
 
