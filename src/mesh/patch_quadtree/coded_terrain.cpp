@@ -117,7 +117,7 @@ EncodedHeights encode_heights(const terrain::Heightfield& field, const EncodeOpt
   header.origin_m = field.origin_m;
   header.terrain_checksum = terrain::checksum(field);
   header.source = field.provenance.source;
-  header.crs = field.provenance.crs;
+  header.crs = terrain::system_of_coordinates(field.provenance);
   if (const std::string why = wrong_with(header); !why.empty())
     input_error("{} within {:g} m cannot be coded: {}", header.source, header.error_m, why);
   require_within(field, header);

@@ -32,7 +32,7 @@ struct ContainerHeader {
   double dx_m = 1.0, dy_m = 1.0;
   glm::dvec2 origin_m{0.0};
   std::uint64_t terrain_checksum = 0;  // of the terrain that was coded
-  std::string source, crs;             // as its provenance says
+  std::string source, crs;             // where it comes from, what its coordinates are in
   Bytes models;                        // of the codec, for all records
   Bytes parameters;                    // of the payload
 };
