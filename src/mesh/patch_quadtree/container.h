@@ -4,6 +4,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -35,6 +36,12 @@ struct ContainerHeader {
   std::string source, crs;             // where it comes from, what its coordinates are in
   Bytes models;                        // of the codec, for all records
   Bytes parameters;                    // of the payload
+
+  /// What no decoded height of a level exceeds: error_m, or twice as much with each level where the
+  /// step doubles.
+  double promised_m(int level) const {
+    return quantiser.rule == StepRule::Same ? error_m : std::ldexp(error_m, level);
+  }
 };
 
 /// Two streams for each patch, by its number: its heights (of version 1 a family's, under its
