@@ -96,42 +96,15 @@ std::optional<OGRSpatialReference> system_of(const Heightfield& field) {
   return std::nullopt;
 }
 
-// The number near `guess` for which f is `wanted`, or nearest to it.
-template <class F>
-double solved(double guess, double wanted, const F& f) {
-  double best = guess, up = guess, down = guess;
-  constexpr int kUlps = 8;
-  for (int k = 0; k < kUlps; ++k) {
-    for (const double x : {up, down}) {
-      if (std::abs(f(x) - wanted) < std::abs(f(best) - wanted)) best = x;
-    }
-    if (f(best) == wanted) return best;
-    up = std::nextafter(up, HUGE_VAL);
-    down = std::nextafter(down, -HUGE_VAL);
-  }
-  return best;
-}
-
 // The transform by which a reader places the samples where they stand.
 std::array<double, 6> transform_of(const Heightfield& field, double metres_per_unit) {
-  FileGeoreference g;
-  g.has_transform = true;
-  g.frame = Frame::Projected;
-  g.metres_per_unit = metres_per_unit;
-  g.transform = {0.0, field.dx_m / metres_per_unit, 0.0, 0.0, 0.0, -field.dy_m / metres_per_unit};
-  const Window window{0, 0, field.columns(), field.rows()};
-  std::array<double, 6>& t = g.transform;
-  const auto with = [&](int k, double value) {
-    t[static_cast<std::size_t>(k)] = value;
-    return place(g, window, {}, "");
-  };
-  t[1] = solved(t[1], field.dx_m, [&](double x) { return with(1, x).dx_m; });
-  t[5] = solved(t[5], field.dy_m, [&](double y) { return with(5, y).dy_m; });
-  t[0] = solved(field.origin_m.x / metres_per_unit - 0.5 * t[1], field.origin_m.x,
-                [&](double x) { return with(0, x).origin_m.x; });
-  t[3] = solved(field.origin_m.y / metres_per_unit - (field.rows() - 0.5) * t[5], field.origin_m.y,
-                [&](double y) { return with(3, y).origin_m.y; });
-  return t;
+  const double step_x = field.dx_m / metres_per_unit, step_y = field.dy_m / metres_per_unit;
+  return {field.origin_m.x / metres_per_unit - 0.5 * step_x,
+          step_x,
+          0.0,
+          field.origin_m.y / metres_per_unit + (field.rows() - 0.5) * step_y,
+          0.0,
+          -step_y};
 }
 
 Dataset created(const std::string& path, const Heightfield& field, const SampleFormat& format,

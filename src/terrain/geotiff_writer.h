@@ -26,10 +26,9 @@ struct GeotiffOptions {
 /// Writes a tiled file, rows from the north, whole or not at all, and nothing beside it; the same
 /// bytes from the same terrain, but for another version of GDAL or of its compressor.
 ///
-///   (1) load_terrain gives the same heights, voids and spacings (zero without its sign), the same
-///   origin (but
-///       for half an ulp of the file's north-west corner, where no corner gives the same bits), and
-///       system_of_coordinates for its crs.
+///   (1) load_terrain gives the same heights (zero without its sign), voids and spacings, and
+///       system_of_coordinates for its crs; the same origin, or one half an ulp of the file's
+///       north-west corner off where no corner gives its bits.
 ///   (2) A sample stands at its pixel's centre.
 /// A coordinate system is written if it is a projected one of an authority ("EPSG:2056") that the
 /// terrain's coordinates are in, in its own units. Else they are metres of a local system that
