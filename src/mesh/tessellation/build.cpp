@@ -44,7 +44,8 @@ BoundScale scale_for(const Grid<float>& heights_m, double error_m) {
 }
 
 // All patches' bounds, from heights as they will be decoded.
-std::vector<PatchBounds> measured_bounds(const Grid<float>& heights_m,
+std::vector<PatchBounds> measured_bounds(const terrain::HeightGrid& field_m,
+                                         const Grid<float>& heights_m,
                                          const ContainerHeader& header, const BlockPieces& pieces,
                                          const BoundScale& scale) {
   const PatchLayout& layout = header.layout;
@@ -56,7 +57,7 @@ std::vector<PatchBounds> measured_bounds(const Grid<float>& heights_m,
     parallel_for(layout.first_of_level(level - 1) - first, 1, [&](std::int64_t k) {
       const PatchPlace patch = layout.place(first + k);
       const Grid<float> decoded = patch_quadtree::heights_of(
-          patch_quadtree::numbers_of(heights_m, layout, patch, header.quantiser), header.quantiser,
+          patch_quadtree::numbers_of(field_m, layout, patch, header.quantiser), header.quantiser,
           level);
       PatchBounds& here = bounds[static_cast<std::size_t>(first + k)];
       here = measure.bounds(patch, decoded);
@@ -121,7 +122,8 @@ Bytes build(const terrain::Heightfield& field, const BuildOptions& options) {
   const terrain::FloatHeights floats(field.heights_m);
   const Grid<float>& heights_m = *floats;
   const BoundScale scale = scale_for(heights_m, options.heights.error_m);
-  const std::vector<PatchBounds> bounds = measured_bounds(heights_m, header, pieces, scale);
+  const std::vector<PatchBounds> bounds =
+      measured_bounds(field.heights_m, heights_m, header, pieces, scale);
 
   std::vector<RansCounts> counts(bound_contexts(levels_of(options.block_cells)));
   for (const PatchBounds& each : bounds) count_bounds(each, counts);
