@@ -75,6 +75,14 @@ class Emitter {
 
 constexpr int kTruthBlock = 8;  // diagonals of the truth are those of `blocks:8`
 
+bool has_void(const Grid<float>& heights_m, int first_i, int first_j, int cells) {
+  for (int j = first_j; j <= first_j + cells; ++j) {
+    for (int i = first_i; i <= first_i + cells; ++i)
+      if (std::isnan(heights_m(i + 1, j + 1))) return true;
+  }
+  return false;
+}
+
 // A block as the truth is, whatever its size.
 void add_full_detail(const Prepared& prepared, int first_i, int first_j, Emitter& emitter) {
   const int cells = prepared.pieces->block_cells();
@@ -95,13 +103,11 @@ PatchMesh mesh_of_patch(const Prepared& prepared, const patch_quadtree::PatchPla
                         const Grid<float>& heights_m, const PatchLevels& levels) {
   Emitter emitter(prepared, patch, heights_m);
   const int cells = prepared.pieces->block_cells();
-  const PatchBounds& bounds =
-      prepared.bounds->patches[static_cast<std::size_t>(prepared.header().layout.index(patch))];
   for (int j = 0; j < levels.levels.rows(); ++j) {
     for (int i = 0; i < levels.levels.columns(); ++i) {
       const BlockLevels& block = levels.levels(i, j);
       const bool amid_voids = patch.level == 0 && cells > kTruthBlock && block == BlockLevels{} &&
-                              bounds.code(i, j, 1) == BoundScale::kNone;
+                              has_void(heights_m, i * cells, j * cells, cells);
       if (amid_voids) {
         add_full_detail(prepared, i * cells, j * cells, emitter);
         continue;

@@ -229,6 +229,7 @@ Prepared prepared_from(std::shared_ptr<const Container> container, Parameters pa
   prepared.decoder = std::make_shared<patch_quadtree::PatchDecoder>(*prepared.container);
   prepared.bounds = std::make_shared<const Bounds>(read_bounds(*prepared.container));
   prepared.pieces = std::make_shared<const BlockPieces>(prepared.bounds->block_cells);
+  prepared.foretold = std::make_shared<const ThinnedForetold>(*prepared.pieces);
   prepared.truth_pieces = std::make_shared<const BlockPieces>(8);
   parameters.error_m = prepared.header().error_m;
   parameters.patch_cells = prepared.header().layout.patch_cells;

@@ -23,6 +23,7 @@ struct Prepared {
   std::shared_ptr<const patch_quadtree::PatchDecoder> decoder;  // of the container
   std::shared_ptr<const Bounds> bounds;
   std::shared_ptr<const BlockPieces> pieces;
+  std::shared_ptr<const ThinnedForetold> foretold;  // of the pieces
   std::shared_ptr<const BlockPieces> truth_pieces;  // of blocks of 8, as the full detail has them
 
   const patch_quadtree::ContainerHeader& header() const { return container->header(); }
