@@ -183,7 +183,7 @@ void add_notes(const Prepared& prepared, const PatchSelection& selection, const 
       continue;
     }
     const bool of_patches = cause == Cause::DistanceTest || cause == Cause::BilinearError;
-    const std::int64_t of = of_patches ? static_cast<std::int64_t>(selection.drawn.size())
+    const std::int64_t of = of_patches                     ? selection.tested
                             : cause == Cause::InnerMinimum ? counts.blocks
                                                            : counts.sides;
     surface.notes.push_back(fmt::format("{}: {} of {} {} would be finer", name_of(cause),
@@ -216,6 +216,8 @@ Prepared prepared_from(std::shared_ptr<const Container> container, Parameters pa
   prepared.decoder = std::make_shared<patch_quadtree::PatchDecoder>(*prepared.container);
   prepared.bounds = std::make_shared<const Bounds>(read_bounds(*prepared.container));
   prepared.pieces = std::make_shared<const BlockPieces>(prepared.bounds->block_cells);
+  prepared.geometries =
+      std::make_shared<const BlockGeometries>(*prepared.pieces, prepared.header().layout);
   parameters.error_m = prepared.header().error_m;
   parameters.patch_cells = prepared.header().layout.patch_cells;
   parameters.block_cells = prepared.bounds->block_cells;

@@ -8,6 +8,7 @@
 #include "core/drawn_surface.h"
 #include "mesh/patch_quadtree/container.h"
 #include "mesh/patch_quadtree/patch_decoder.h"
+#include "mesh/tessellation/block_errors.h"
 #include "mesh/tessellation/block_pieces.h"
 #include "mesh/tessellation/build.h"
 #include "mesh/tessellation/parameters.h"
@@ -23,6 +24,7 @@ struct Prepared {
   std::shared_ptr<const patch_quadtree::PatchDecoder> decoder;  // of the container
   std::shared_ptr<const Bounds> bounds;
   std::shared_ptr<const BlockPieces> pieces;
+  std::shared_ptr<const BlockGeometries> geometries;  // of blocks over their patch's samples
 
   const patch_quadtree::ContainerHeader& header() const { return container->header(); }
 };
