@@ -152,7 +152,7 @@ class PublishedPatch {
       coarsest = std::max(coarsest, sides[k].level);
     }
     if (block.geometry == nullptr) {
-      levels.inside = coarsest_;
+      levels.inside = prepared_.parameters.fine_selection ? coarsest_ : std::uint8_t{0};
       return levels;
     }
     ++counts_.blocks;
