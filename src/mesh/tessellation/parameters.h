@@ -11,13 +11,23 @@ enum class Variant { Conservative, Published };
 
 /// Why the published rules break their promise; each can be mended alone.
 enum class Cause : std::size_t {
-  EdgeMidpoint,   // one point stands for a whole edge
-  ViewFromAbove,  // a vertical length seen from above is short where it is tested
-  NotMonotone,    // a coarser thinning passes where a finer one does not
-  MixedFactors,   // a block's error belongs to one factor, its sides have others
-  InnerMinimum,   // the most tolerant side decides the inside
-  DistanceTest,   // gamma Err / rho is no upper bound
-  BilinearError,  // Err_int of bilinear patches, drawn as triangles
+  /// One point stands for a whole edge. Mended: the box of the blocks on either side of it.
+  EdgeMidpoint,
+  /// A vertical length seen from above is short where it is tested. Mended: it counts as if seen
+  /// from the side, its own length at its depth; off the middle of a wide view or deep within the
+  /// box it may reach farther still, so that this is a better test and no upper bound.
+  ViewFromAbove,
+  /// A coarser thinning passes where a finer one does not. Mended: the finer ones must pass too.
+  NotMonotone,
+  /// A block's error belongs to one factor, its sides have others. Mended: the largest of any
+  /// mixture, between the samples too.
+  MixedFactors,
+  /// The most tolerant side decides the inside. Mended: the least tolerant does.
+  InnerMinimum,
+  /// gamma Err / rho is no upper bound. Mended: what displaces nothing in the box by more.
+  DistanceTest,
+  /// Err_int of bilinear patches, drawn as triangles. Mended: the error as drawn.
+  BilinearError,
 };
 inline constexpr std::size_t kCauses = 7;
 

@@ -63,6 +63,7 @@ class Selector {
   }
 
   bool keeps(const PatchPlace& patch) {
+    ++selection_.tested;
     const Box box = box_of(prepared_, patch);
     const double drawn_m = prepared_.bounds->error_m(layout_.index(patch));
     if (prepared_.parameters.variant == Variant::Conservative)
@@ -80,7 +81,8 @@ class Selector {
     const double error_m = as_drawn ? drawn_m : printed_m;
     if (!passes(error_m, by_distance)) return false;
     selection_.finer_by_distance += !by_distance && !passes(error_m, true);
-    selection_.finer_by_error += !as_drawn && !passes(drawn_m, by_distance);
+    selection_.finer_by_error +=
+        !as_drawn && std::isfinite(drawn_m) && !passes(drawn_m, by_distance);
     return true;
   }
 

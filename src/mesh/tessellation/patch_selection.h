@@ -19,7 +19,9 @@ struct PatchSelection {
   std::vector<std::int32_t> state;
   std::vector<patch_quadtree::PatchPlace> drawn;  // by their numbers: the coarsest first
   std::int64_t visited = 0;
-  /// Patches that the published test lets pass and that would be refined were it mended.
+  std::int64_t tested = 0;  // of these, what the error decided: not the finest, not void
+  /// Patches that the published test lets pass and that would be refined were it mended; by error
+  /// those alone whose bound as drawn is finite: amid voids the children are always drawn instead.
   std::int64_t finer_by_distance = 0, finer_by_error = 0;
 };
 

@@ -12,6 +12,21 @@ using patch_quadtree::PatchPlace;
 
 namespace {
 
+// Between which of the parent's samples one of its children's stands, and how far along.
+struct Between {
+  int from, to;
+  double along;
+};
+
+// By its number along an axis, of two children together. Where the terrain ends the next sample of
+// the parent is nearer, or at the same place.
+Between between(const std::vector<int>& places, int k) {
+  const auto at = [&](int index) { return places[static_cast<std::size_t>(index)]; };
+  const int here = at(k), from = at(k & ~1), to = at((k & ~1) + (k & 1) * 2);
+  if (here == from || here == to) return {here, here, 0.0};
+  return {from, to, static_cast<double>(here - from) / (to - from)};
+}
+
 // The largest deviation of a patch, bilinear between its samples, from samples half as far apart.
 double interpolation_error(const Grid<float>& heights_m, const PatchLayout& layout,
                            const PatchPlace& patch) {
@@ -25,16 +40,17 @@ double interpolation_error(const Grid<float>& heights_m, const PatchLayout& layo
   }
   double largest = 0.0;
   for (int j = 0; j < side; ++j) {
-    const auto at = [&](int i, int row) {
-      return double{
-          heights_m(columns[static_cast<std::size_t>(i)], rows[static_cast<std::size_t>(row)])};
-    };
-    const int south = j & ~1, north = south + (j & 1) * 2;
+    const Between up = between(rows, j);
     for (int i = 0; i < side; ++i) {
-      const int west = i & ~1, east = west + (i & 1) * 2;
-      const double interpolated =
-          0.25 * (at(west, south) + at(east, south) + at(west, north) + at(east, north));
-      const double off = std::abs(interpolated - at(i, j));
+      const Between across = between(columns, i);
+      const auto along_row = [&](int row) {
+        const double west = heights_m(across.from, row), east = heights_m(across.to, row);
+        return west + across.along * (east - west);
+      };
+      const double south = along_row(up.from), north = along_row(up.to);
+      const double off = std::abs(south + up.along * (north - south) -
+                                  double{heights_m(columns[static_cast<std::size_t>(i)],
+                                                   rows[static_cast<std::size_t>(j)])});
       if (off > largest) largest = off;  // false where a sample is void
     }
   }

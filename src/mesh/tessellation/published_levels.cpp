@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "mesh/tessellation/piece_deviation.h"
+#include "mesh/tessellation/block_errors.h"
 
 namespace plumb::mesh::tessellation {
 
@@ -12,31 +11,7 @@ using patch_quadtree::PatchPlace;
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 bool mends(const Mends& mended, Cause cause) { return mended[static_cast<std::size_t>(cause)]; }
-
-// A block's pieces over the patch's own samples.
-struct OwnGeometry {
-  std::vector<PieceGeometry> interior, strips;
-  PieceGeometry whole;
-};
-
-OwnGeometry geometry_over_samples(const BlockPieces& pieces) {
-  BlockPlaces places;
-  const int cells = pieces.block_cells();
-  for (int k = 0; k <= cells; ++k) places.column.push_back(k);
-  places.row = places.column;
-  OwnGeometry geometry{{}, {}, PieceGeometry(pieces.whole(), places, cells)};
-  for (int inside = 0; inside < pieces.coarsest(); ++inside) {
-    geometry.interior.emplace_back(pieces.interior(inside), places, cells);
-    for (std::size_t side = 0; side < 4; ++side) {
-      for (int along = 0; along <= pieces.coarsest(); ++along)
-        geometry.strips.emplace_back(pieces.strip(inside, side, along), places, cells);
-    }
-  }
-  return geometry;
-}
 
 // The screen's distance between both ends of a vertical length, each divided by its own depth as
 // hardware does, wherever they lie.
@@ -51,7 +26,8 @@ double projected_px(const Camera& camera, const glm::dvec3& middle, double lengt
 // What a side is tested by.
 struct SideTest {
   glm::dvec3 middle{0.0};
-  Box box;
+  Box box;  // of the blocks on either side: what is drawn up to it may be in view where it is not
+  bool is_void = true;  // no sample of it exists, or nothing is drawn on either side
 };
 
 double tested_length_px(const ViewTest& view, const SideTest& side, double length_m,
@@ -73,6 +49,7 @@ double tested_length_px(const ViewTest& view, const SideTest& side, double lengt
 std::uint8_t level_of_side(const ViewTest& view, const SideTest& side,
                            const std::vector<double>& lengths_m, const Mends& mended) {
   const auto passes = [&](std::size_t level) {
+    if (!std::isfinite(lengths_m[level])) return false;
     if (view.in_metres()) return lengths_m[level] < view.tolerance.value;
     return tested_length_px(view, side, lengths_m[level], mended) < view.tolerance.value;
   };
@@ -87,6 +64,12 @@ std::uint8_t level_of_side(const ViewTest& view, const SideTest& side,
   return 0;
 }
 
+// How far a side is thinned; of one that is void it says nothing.
+struct DecidedSide {
+  std::uint8_t level = 0;
+  bool is_void = false;
+};
+
 class PublishedPatch {
  public:
   PublishedPatch(const Prepared& prepared, const ViewTest& view, const PatchPlace& patch,
@@ -98,20 +81,22 @@ class PublishedPatch {
         counts_(counts),
         mended_(prepared.parameters.mends),
         cells_(prepared.pieces->block_cells()),
+        coarsest_(static_cast<std::uint8_t>(prepared.pieces->coarsest())),
         blocks_(prepared.header().layout.patch_cells / cells_),
-        printed_(*prepared.pieces, heights_m, false),
-        mixed_(*prepared.pieces, heights_m, true) {
+        known_(blocks_, blocks_) {
     const auto number = prepared.header().layout.index(patch);
     error_m_ =
         mends(mended_, Cause::BilinearError)
             ? prepared.bounds->error_m(number)
             : double{prepared.bounds->patches[static_cast<std::size_t>(number)].published_m} +
                   prepared.header().quantiser.error_m(patch.level);
+    for (int j = 0; j < blocks_; ++j)
+      for (int i = 0; i < blocks_; ++i) known_(i, j) = measure(i, j);
   }
 
   PatchLevels take() {
     // Sides by their lower left block: west of block (i, j) at (i, j), and so on.
-    Grid<std::uint8_t> upright(blocks_ + 1, blocks_), level(blocks_, blocks_ + 1);
+    Grid<DecidedSide> upright(blocks_ + 1, blocks_), level(blocks_, blocks_ + 1);
     for (int j = 0; j < blocks_; ++j)
       for (int i = 0; i <= blocks_; ++i) upright(i, j) = decide(i, j, West);
     for (int j = 0; j <= blocks_; ++j)
@@ -119,36 +104,100 @@ class PublishedPatch {
     PatchLevels result{Grid<BlockLevels>(blocks_, blocks_), Grid<double>(blocks_, blocks_)};
     for (int j = 0; j < blocks_; ++j) {
       for (int i = 0; i < blocks_; ++i) {
-        BlockLevels& levels = result.levels(i, j);
-        levels.side = {upright(i, j), level(i, j), upright(i + 1, j), level(i, j + 1)};
-        const auto [finest, coarsest] = std::minmax_element(levels.side.begin(), levels.side.end());
-        const bool mended = mends(mended_, Cause::InnerMinimum);
-        levels.inside = mended ? *finest : *coarsest;
-        ++counts_.blocks;
-        counts_.finer[static_cast<std::size_t>(Cause::InnerMinimum)] +=
-            !mended && *finest != *coarsest;
-        result.bound_m(i, j) = errors().lambda_m(i, j, levels.inside) + error_m_;
+        const std::array<DecidedSide, 4> sides{upright(i, j), level(i, j), upright(i + 1, j),
+                                               level(i, j + 1)};
+        result.levels(i, j) = levels_of(known_(i, j), sides);
+        result.bound_m(i, j) = bound_m(i, j, result.levels(i, j));
       }
     }
     return result;
   }
 
  private:
-  const BlockErrors& errors() const {
-    return mends(mended_, Cause::MixedFactors) ? mixed_ : printed_;
+  struct Block {
+    const BlockGeometry* geometry = nullptr;  // null: nothing is drawn
+    Box box;
+    BlockErrors errors;
+  };
+
+  std::vector<double> heights_of(int i, int j) const {
+    std::vector<double> heights;
+    heights.reserve(static_cast<std::size_t>((cells_ + 1) * (cells_ + 1)));
+    for (int b = 0; b <= cells_; ++b)
+      for (int a = 0; a <= cells_; ++a)
+        heights.push_back(double{heights_m_(i * cells_ + a + 1, j * cells_ + b + 1)});
+    return heights;
+  }
+
+  Block measure(int i, int j) const {
+    Block block;
+    block.box = box_of_samples(prepared_, patch_, heights_m_, i * cells_, j * cells_,
+                               (i + 1) * cells_, (j + 1) * cells_);
+    if (block.box.empty()) return block;
+    block.geometry = prepared_.geometries->of(patch_, i, j);
+    if (block.geometry != nullptr && prepared_.parameters.fine_selection)
+      block.errors = block.geometry->errors(heights_of(i, j));
+    return block;
+  }
+
+  BlockLevels levels_of(const Block& block, const std::array<DecidedSide, 4>& sides) {
+    BlockLevels levels;
+    std::uint8_t finest = coarsest_, coarsest = 0;
+    bool some = false;
+    for (std::size_t k = 0; k < 4; ++k) {
+      levels.side[k] = sides[k].level;
+      if (sides[k].is_void) continue;
+      some = true;
+      finest = std::min(finest, sides[k].level);
+      coarsest = std::max(coarsest, sides[k].level);
+    }
+    if (block.geometry == nullptr) {
+      levels.inside = prepared_.parameters.fine_selection ? coarsest_ : std::uint8_t{0};
+      return levels;
+    }
+    ++counts_.blocks;
+    if (!some) return levels;  // what there is lies amid voids: in full
+    const bool mended = mends(mended_, Cause::InnerMinimum);
+    levels.inside = mended ? finest : coarsest;
+    counts_.finer[static_cast<std::size_t>(Cause::InnerMinimum)] += !mended && finest != coarsest;
+    return levels;
+  }
+
+  // As printed it is what the paper claims of a block, whether or not its sides keep it. Where the
+  // inside is finer than sides, they are drawn as no printed lambda says: then it is what is drawn.
+  double bound_m(int i, int j, const BlockLevels& levels) const {
+    const Block& block = known_(i, j);
+    if (block.geometry == nullptr) return 0.0;
+    if (!prepared_.parameters.fine_selection) return error_m_;
+    if (mends(mended_, Cause::InnerMinimum))
+      return block.geometry->drawn_error_m(levels, heights_of(i, j)) + error_m_;
+    const bool mixed = mends(mended_, Cause::MixedFactors);
+    return lambdas_m(block.errors, mixed)[levels.inside] + error_m_;
+  }
+
+  const std::vector<double>& lambdas_m(const BlockErrors& errors, bool mixed) const {
+    if (!mixed) return errors.printed_m;
+    return mends(mended_, Cause::InnerMinimum) ? errors.any_inside_m : errors.mixed_m;
+  }
+
+  // The blocks on either side of one of a patch's sides, those of which anything is drawn.
+  template <class Visit>
+  void for_each_beside(int i, int j, Side side, const Visit& visit) const {
+    const int before_i = side == West ? i - 1 : i, before_j = side == South ? j - 1 : j;
+    if (i < blocks_ && j < blocks_ && known_(i, j).geometry != nullptr) visit(known_(i, j));
+    if (before_i >= 0 && before_j >= 0 && known_(before_i, before_j).geometry != nullptr)
+      visit(known_(before_i, before_j));
   }
 
   // The larger Lambda of the blocks on either side, by thinning.
-  std::vector<double> lengths_m(const BlockErrors& errors, int i, int j, Side side) const {
-    std::vector<double> lengths(static_cast<std::size_t>(prepared_.pieces->coarsest()) + 1, 0.0);
-    const int left = side == West ? i - 1 : i, below = side == South ? j - 1 : j;
-    for (std::size_t level = 1; level < lengths.size(); ++level) {
-      double lambda = 0.0;
-      if (i < blocks_ && j < blocks_) lambda = errors.lambda_m(i, j, static_cast<int>(level));
-      if (left >= 0 && below >= 0)
-        lambda = std::max(lambda, errors.lambda_m(left, below, static_cast<int>(level)));
-      lengths[level] = lambda + error_m_;
-    }
+  std::vector<double> lengths_m(int i, int j, Side side, bool mixed) const {
+    std::vector<double> lengths(std::size_t{coarsest_} + 1, 0.0);
+    for_each_beside(i, j, side, [&](const Block& block) {
+      const std::vector<double>& lambdas = lambdas_m(block.errors, mixed);
+      for (std::size_t level = 1; level < lengths.size(); ++level)
+        lengths[level] = std::max(lengths[level], lambdas[level]);
+    });
+    for (double& length : lengths) length += error_m_;
     return lengths;
   }
 
@@ -157,23 +206,28 @@ class PublishedPatch {
     const int last_i = side == West ? first_i : first_i + cells_,
               last_j = side == South ? first_j : first_j + cells_;
     SideTest test;
-    test.box = box_of_samples(prepared_, patch_, heights_m_, first_i, first_j, last_i, last_j);
-    if (test.box.empty()) return test;
+    const Box own = box_of_samples(prepared_, patch_, heights_m_, first_i, first_j, last_i, last_j);
+    if (own.empty()) return test;
+    for_each_beside(i, j, side, [&](const Block& block) {
+      test.is_void = false;
+      test.box.add(block.box);
+    });
     const auto& header = prepared_.header();
     const int middle_i = (first_i + last_i) / 2, middle_j = (first_j + last_j) / 2;
     const float height = heights_m_(middle_i + 1, middle_j + 1);
     test.middle = {header.layout.sample_column(patch_, middle_i) * header.dx_m,
                    header.layout.sample_row(patch_, middle_j) * header.dy_m,
-                   std::isnan(height) ? test.box.low.z : double{height}};
+                   std::isnan(height) ? own.low.z : double{height}};
     return test;
   }
 
-  std::uint8_t decide(int i, int j, Side side) {
+  DecidedSide decide(int i, int j, Side side) {
+    if (!prepared_.parameters.fine_selection) return {};
     const SideTest test = test_of(i, j, side);
-    if (!prepared_.parameters.fine_selection) return 0;
-    if (test.box.empty()) return static_cast<std::uint8_t>(prepared_.pieces->coarsest());
+    if (test.is_void) return {coarsest_, true};
     ++counts_.sides;
-    const std::vector<double> lengths = lengths_m(errors(), i, j, side);
+    const bool mixed = mends(mended_, Cause::MixedFactors);
+    const std::vector<double> lengths = lengths_m(i, j, side, mixed);
     const std::uint8_t chosen = level_of_side(view_, test, lengths, mended_);
     for (const Cause cause : {Cause::EdgeMidpoint, Cause::ViewFromAbove, Cause::NotMonotone}) {
       if (mends(mended_, cause)) continue;
@@ -182,11 +236,11 @@ class PublishedPatch {
       counts_.finer[static_cast<std::size_t>(cause)] +=
           level_of_side(view_, test, lengths, one_more) < chosen;
     }
-    if (!mends(mended_, Cause::MixedFactors)) {
+    if (!mixed) {
       counts_.finer[static_cast<std::size_t>(Cause::MixedFactors)] +=
-          level_of_side(view_, test, lengths_m(mixed_, i, j, side), mended_) < chosen;
+          level_of_side(view_, test, lengths_m(i, j, side, true), mended_) < chosen;
     }
-    return chosen;
+    return {chosen, false};
   }
 
   const Prepared& prepared_;
@@ -195,49 +249,14 @@ class PublishedPatch {
   const Grid<float>& heights_m_;
   LevelCounts& counts_;
   const Mends& mended_;
-  int cells_, blocks_;
-  BlockErrors printed_, mixed_;
+  int cells_;
+  std::uint8_t coarsest_;
+  int blocks_;
   double error_m_ = 0.0;
+  Grid<Block> known_;
 };
 
 }  // namespace
-
-BlockErrors::BlockErrors(const BlockPieces& pieces, const Grid<float>& heights_m, bool mixed) {
-  const OwnGeometry geometry = geometry_over_samples(pieces);
-  const int cells = pieces.block_cells(), coarsest = pieces.coarsest();
-  blocks_ = (heights_m.columns() - 3) / cells;
-  levels_ = coarsest + 1;
-  std::vector<double> drawn_m(static_cast<std::size_t>((cells + 1) * (cells + 1)));
-  for (int j = 0; j < blocks_; ++j) {
-    for (int i = 0; i < blocks_; ++i) {
-      for (int b = 0; b <= cells; ++b)
-        for (int a = 0; a <= cells; ++a)
-          drawn_m[static_cast<std::size_t>(b * (cells + 1) + a)] =
-              double{heights_m(i * cells + a + 1, j * cells + b + 1)};
-      const TruthBelow own{&heights_m(i * cells + 1, j * cells + 1), heights_m.columns()};
-      const auto deviation = [&](const PieceGeometry& piece) {
-        return mixed ? piece.deviation(drawn_m, own) : piece.sample_deviation(drawn_m, own);
-      };
-      errors_m_.push_back(0.0);
-      for (int level = 1; level <= coarsest; ++level) {
-        const int inside = pieces.drawn_inside(level);
-        // Under one factor, 1 all round is two triangles.
-        const bool one_whole = level == coarsest;
-        double largest = one_whole ? deviation(geometry.whole) : 0.0;
-        if (!one_whole || mixed) {
-          largest =
-              std::max(largest, deviation(geometry.interior[static_cast<std::size_t>(inside)]));
-          for (int side = 0; side < 4; ++side) {
-            for (int along = mixed ? 0 : level; along <= level; ++along)
-              largest = std::max(largest, deviation(geometry.strips[static_cast<std::size_t>(
-                                              (inside * 4 + side) * (coarsest + 1) + along)]));
-          }
-        }
-        errors_m_.push_back(largest);
-      }
-    }
-  }
-}
 
 PatchLevels published_levels(const Prepared& prepared, const ViewTest& view,
                              const PatchPlace& patch, const Grid<float>& heights_m,

@@ -196,7 +196,7 @@ void add_notes(const Prepared& prepared, const PatchSelection& selection, const 
       continue;
     }
     const bool of_patches = cause == Cause::DistanceTest || cause == Cause::BilinearError;
-    const std::int64_t of = of_patches ? static_cast<std::int64_t>(selection.drawn.size())
+    const std::int64_t of = of_patches                     ? selection.tested
                             : cause == Cause::InnerMinimum ? counts.blocks
                                                            : counts.sides;
     surface.notes.push_back(fmt::format("{}: {} of {} {} would be finer", name_of(cause),
@@ -231,6 +231,8 @@ Prepared prepared_from(std::shared_ptr<const Container> container, Parameters pa
   prepared.pieces = std::make_shared<const BlockPieces>(prepared.bounds->block_cells);
   prepared.foretold = std::make_shared<const ThinnedForetold>(*prepared.pieces);
   prepared.truth_pieces = std::make_shared<const BlockPieces>(8);
+  prepared.geometries =
+      std::make_shared<const BlockGeometries>(*prepared.pieces, prepared.header().layout);
   parameters.error_m = prepared.header().error_m;
   parameters.patch_cells = prepared.header().layout.patch_cells;
   parameters.block_cells = prepared.bounds->block_cells;

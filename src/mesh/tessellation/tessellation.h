@@ -8,6 +8,7 @@
 #include "core/drawn_surface.h"
 #include "mesh/patch_quadtree/container.h"
 #include "mesh/patch_quadtree/patch_decoder.h"
+#include "mesh/tessellation/block_errors.h"
 #include "mesh/tessellation/block_pieces.h"
 #include "mesh/tessellation/build.h"
 #include "mesh/tessellation/parameters.h"
@@ -25,6 +26,7 @@ struct Prepared {
   std::shared_ptr<const BlockPieces> pieces;
   std::shared_ptr<const ThinnedForetold> foretold;  // of the pieces
   std::shared_ptr<const BlockPieces> truth_pieces;  // of blocks of 8, as the full detail has them
+  std::shared_ptr<const BlockGeometries> geometries;  // of blocks over their patch's samples
 
   const patch_quadtree::ContainerHeader& header() const { return container->header(); }
 };
