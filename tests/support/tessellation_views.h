@@ -19,15 +19,26 @@ inline tessellation::Parameters tessellation_with(double error_m, int patch_cell
   return parameters;
 }
 
+/// How far silhouettes may move: by what was asked for; where that is out of reach, by what patches
+/// promise.
+inline audit::Band band_of(const DrawnSurface& surface, const Tolerance& tolerance) {
+  audit::Band band;
+  (tolerance.unit == Unit::Pixel ? band.pixels : band.metres) = tolerance.value;
+  for (const Claim& claim : surface.claims)
+    if (surface.claims.front().unreachable && claim.scope == Scope::Patch)
+      band.metres = std::max(band.metres, claim.bound);
+  return band;
+}
+
 /// Draws one frame and holds it against the truth that a tessellator draws at full detail.
 inline audit::AuditResult audit_tessellation(const audit::HeightfieldTruth& truth,
                                              const tessellation::Prepared& prepared,
                                              const Camera& camera, const Tolerance& tolerance) {
+  const DrawnSurface surface = tessellation::draw(prepared, camera, tolerance);
   audit::AuditOptions options;
   options.nearest = false;
-  (tolerance.unit == Unit::Pixel ? options.band.pixels : options.band.metres) = tolerance.value;
-  return audit::audit_surface(truth, tessellation::draw(prepared, camera, tolerance), camera,
-                              options);
+  options.band = band_of(surface, tolerance);
+  return audit::audit_surface(truth, surface, camera, options);
 }
 
 /// The frame's result of a claim in a unit; null if nothing of the kind is claimed.

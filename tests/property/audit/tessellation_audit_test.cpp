@@ -80,12 +80,7 @@ void expect_kept(const Frame& frame, Eye eye, Seen& seen) {
       mesh::tessellation::draw(frame.prepared, frame.camera, frame.tolerance);
   AuditOptions options;
   options.nearest = false;
-  options.band = frame.tolerance.unit == Unit::Pixel ? Band{frame.tolerance.value, 0.0}
-                                                     : Band{1.0, frame.tolerance.value};
-  // What is out of reach moves silhouettes, too.
-  for (const Claim& claim : surface.claims)
-    if (surface.claims.front().unreachable && claim.scope == Scope::Patch)
-      options.band.metres = std::max(options.band.metres, claim.bound);
+  options.band = test_support::band_of(surface, frame.tolerance);
   const AuditResult result = audit_surface(frame.truth, surface, frame.camera, options);
   for (const ClaimResult& each : result.claims) {
     seen.unreachable += each.claim.unreachable;
