@@ -29,6 +29,12 @@ std::ostream& operator<<(std::ostream& out, const Scene& scene) {
              << scene.parameters.block_cells;
 }
 
+Parameters chunked() {
+  Parameters parameters = tessellation_with(0.1, 16);
+  parameters.fine_selection = false;
+  return parameters;
+}
+
 const Scene kScenes[] = {
     {129, 97, 0.0, tessellation_with(0.0, 32)},
     {129, 97, 0.0, tessellation_with(1.0, 16, 8, 1)},
@@ -36,6 +42,7 @@ const Scene kScenes[] = {
     {130, 120, 0.0, tessellation_with(0.5, 32, 16)},
     {161, 90, 0.0, tessellation_with(0.1, 64, 64)},
     {97, 80, 0.01, tessellation_with(0.2, 16)},
+    {120, 97, 0.01, chunked()},
     {67, 65, 0.2, tessellation_with(0.0, 8, 8, 1)},
     {2, 2, 0.0, tessellation_with(0.1, 16)},
     {3, 200, 0.0, tessellation_with(0.1, 16)},
@@ -115,6 +122,8 @@ Camera camera_above(Random& random, const terrain::Heightfield& field) {
                 box.high.z + random.uniform(1.0, 300.0)};
   look.target_m = {random.uniform(box.low.x, box.high.x), random.uniform(box.low.y, box.high.y),
                    random.uniform(box.low.z, box.high.z)};
+  look.eye_m += field.world_origin_m();
+  look.target_m += field.world_origin_m();
   look.fov_y_deg = random.uniform(20.0, 90.0);
   look.width_px = 97;
   look.height_px = 71;
@@ -123,8 +132,12 @@ Camera camera_above(Random& random, const terrain::Heightfield& field) {
 
 Seen look_at(const Scene& scene, std::uint32_t seed, Eye eye, int frames) {
   Random random(seed);
-  const terrain::Heightfield field =
+  terrain::Heightfield field =
       rough_terrain(scene.columns, scene.rows, seed, 100.0, scene.void_share);
+  if (seed % 2 == 0) {  // far from the origin, cells longer than wide
+    field.origin_m = {5e5, 4.5e6};
+    field.dy_m = 17.0;
+  }
   const HeightfieldTruth truth(field, Diagonal::Blocks8);
   const Prepared prepared = mesh::tessellation::prepare(field, scene.parameters);
   Seen seen;

@@ -59,8 +59,7 @@ class BoundsCheck {
     if (bounds.is_void()) {
       // Its margin is other patches'.
       for (int j = 1; j + 1 < heights_m.rows(); ++j)
-        for (int i = 1; i + 1 < heights_m.columns(); ++i)
-          ASSERT_TRUE(std::isnan(heights_m(i, j)));
+        for (int i = 1; i + 1 < heights_m.columns(); ++i) ASSERT_TRUE(std::isnan(heights_m(i, j)));
       return;
     }
     for (int j = 0; j < bounds.blocks; ++j)
