@@ -83,27 +83,29 @@ Dataset open_dataset(const std::string& file, const Complaints& complaints) {
   return dataset;
 }
 
-FileGeoreference georeference_of(GDALDataset& dataset) {
-  FileGeoreference g;
-  g.has_transform = dataset.GetGeoTransform(g.transform.data()) == CE_None;
-  const OGRSpatialReference* crs = dataset.GetSpatialRef();
-  if (!crs) return g;
-  g.crs = name_of(*crs);
+void describe(const OGRSpatialReference& crs, FileGeoreference& g) {
+  g.crs = name_of(crs);
   OGRErr error = OGRERR_NONE;
-  g.semi_major_m = crs->GetSemiMajor(&error);
-  g.inverse_flattening = crs->GetInvFlattening();
-  if (crs->IsGeographic()) {
+  g.semi_major_m = crs.GetSemiMajor(&error);
+  g.inverse_flattening = crs.GetInvFlattening();
+  if (crs.IsGeographic()) {
     g.frame = Frame::Geographic;
-    const double radians_per_unit = crs->GetAngularUnits();
+    const double radians_per_unit = crs.GetAngularUnits();
     const double degree = CPLAtof(SRS_UA_DEGREE_CONV);
     // The stored conversion of a degree is rounded here or there; a degree is exactly one.
     if (std::abs(radians_per_unit / degree - 1.0) > 1e-9) {
       g.degrees_per_unit = radians_per_unit / degree;
     }
-  } else if (crs->IsProjected() || crs->IsLocal()) {
-    g.frame = is_mercator(*crs) ? Frame::Mercator : Frame::Projected;
-    g.metres_per_unit = crs->GetLinearUnits();
+  } else if (crs.IsProjected() || crs.IsLocal()) {
+    g.frame = is_mercator(crs) ? Frame::Mercator : Frame::Projected;
+    g.metres_per_unit = crs.GetLinearUnits();
   }
+}
+
+FileGeoreference georeference_of(GDALDataset& dataset) {
+  FileGeoreference g;
+  g.has_transform = dataset.GetGeoTransform(g.transform.data()) == CE_None;
+  if (const OGRSpatialReference* crs = dataset.GetSpatialRef()) describe(*crs, g);
   return g;
 }
 

@@ -7,6 +7,7 @@
 #include "terrain/georeference.h"
 
 class GDALDataset;
+class OGRSpatialReference;
 
 namespace plumb::terrain {
 
@@ -21,6 +22,8 @@ class Complaints {
   void add(const std::string& message, bool is_warning);
   /// " (GDAL: what it said)", one line, failures before warnings; empty if it said nothing.
   std::string text() const;
+  /// True if it failed at something.
+  bool has_failures() const { return !failures_.empty(); }
 
  private:
   std::string failures_, warnings_;
@@ -45,6 +48,9 @@ bool is_unnamed_hgt(const std::string& file, const ReadOptions& options);
 /// -32768 is void) where options.origin places them, in memory. Throws InputError if the file has
 /// another size or there is no origin.
 Dataset open_unnamed_hgt(const std::string& file, const ReadOptions& options);
+
+/// What a coordinate system says of the place of what is laid out in it.
+void describe(const OGRSpatialReference& crs, FileGeoreference& georeference);
 
 /// What a dataset says about its place.
 FileGeoreference georeference_of(GDALDataset& dataset);

@@ -86,6 +86,7 @@ void place_mercator(Placement& p, const Extent& e, const FileGeoreference& g) {
   p.dx_m *= cosine;
   p.dy_m *= cosine;
   p.origin_m *= cosine;
+  p.is_local = true;
   p.assumptions.push_back(
       fmt::format("Mercator lengths were scaled by {:.6f}, the cosine of the centre's latitude "
                   "({:.4f} degrees)",
@@ -101,6 +102,7 @@ void place_geographic(Placement& p, const Extent& e, const FileGeoreference& g,
   const MetresPerDegree m = metres_per_degree(latitude, g.semi_major_m, g.inverse_flattening);
   p.dx_m = e.step_x * g.degrees_per_unit * m.east;
   p.dy_m = e.step_y * g.degrees_per_unit * m.north;
+  p.is_local = true;
   if (!(p.dx_m > 0.0)) input_error("{}: it is centred on a pole; --crs reprojects it", file);
   p.assumptions.push_back(fmt::format(
       "degrees were made metres on a plane that touches the earth at the centre (latitude {:.4f}): "
@@ -157,6 +159,7 @@ Placement place(const FileGeoreference& g, const Window& window, const ReadOptio
   if (options.spacing_x_m) {
     p.dx_m = *options.spacing_x_m;
     p.dy_m = options.spacing_y_m.value_or(p.dx_m);
+    p.is_local = true;
     p.assumptions.push_back(
         fmt::format("the spacing of {} x {} m is the user's, not the file's", p.dx_m, p.dy_m));
     say_if_wide(p, window);
@@ -169,6 +172,7 @@ Placement place(const FileGeoreference& g, const Window& window, const ReadOptio
           "metres",
           file);
     }
+    p.is_local = true;
     p.assumptions.push_back("the file states no spacing: 1 m was assumed");
     return p;
   }
@@ -191,6 +195,7 @@ void settle(Heightfield& field, const Placement& placement) {
   field.dx_m = placement.dx_m;
   field.dy_m = placement.dy_m;
   field.origin_m = placement.origin_m;
+  field.provenance.is_local = placement.is_local;
   auto& lines = field.provenance.assumptions;
   lines.insert(lines.begin(), placement.assumptions.begin(), placement.assumptions.end());
 }

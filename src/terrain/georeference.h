@@ -40,6 +40,7 @@ struct Placement {
   double dx_m = 1.0, dy_m = 1.0;
   glm::dvec2 origin_m{0.0};    // of the south-west sample
   bool rows_run_south = true;  // as the file stores them
+  bool is_local = false;       // the origin is none of the file's coordinates
   std::vector<std::string> assumptions;
 };
 

@@ -28,6 +28,15 @@ Diagonal parse_diagonal(const std::string& text) {
   input_error("diagonal '{}': expected alternating, fixed or blocks:8", text);
 }
 
+std::string local_system(const std::string& crs) {
+  return fmt::format("local metres ({} laid out flat)", crs);
+}
+
+std::string system_of_coordinates(const Provenance& provenance) {
+  return provenance.is_local && !provenance.crs.empty() ? local_system(provenance.crs)
+                                                        : provenance.crs;
+}
+
 namespace {
 
 template <class Value>

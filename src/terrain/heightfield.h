@@ -47,6 +47,7 @@ struct Provenance {
       window_y =
           0;  // of the part that was read, in the file's own columns and rows, from its top left
   std::string crs;            // as the file or the user states it; empty if neither does
+  bool is_local = false;      // metres of a plane of its own, laid out from `crs`, not in it
   double height_scale = 1.0;  // metres per stored unit, as applied
   double height_offset_m = 0.0;
   std::int64_t voids_declared = 0;  // samples equal to the file's no-data value (or NaN there)
@@ -55,6 +56,13 @@ struct Provenance {
   double largest_rounding_m = 0.0;       // of a source that float32 does not hold exactly
   std::vector<std::string> assumptions;  // one sentence each
 };
+
+/// "local metres (CRS laid out flat)".
+std::string local_system(const std::string& crs);
+
+/// What a terrain's coordinates are metres of: its crs, local_system(crs) if they are metres of a
+/// plane of its own, or nothing if no system is known.
+std::string system_of_coordinates(const Provenance& provenance);
 
 /// Sample (i, j) stands at origin_m + (i * dx_m, j * dy_m); i runs east, j runs north. NaN is a
 /// void: no surface there.

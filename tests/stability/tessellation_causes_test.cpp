@@ -128,7 +128,7 @@ TEST_P(OneCauseAlone, BreaksThePublishedRules) {
 
 INSTANTIATE_TEST_SUITE_P(Causes, OneCauseAlone,
                          ::testing::Values(Scene{Cause::EdgeMidpoint, 22, kWithin, 1.0},
-                                           Scene{Cause::ViewFromAbove, 14, kLow, 3.0},
+                                           Scene{Cause::ViewFromAbove, 18, kAcross, 1.0},
                                            Scene{Cause::MixedFactors, 19, kLow, 2.0},
                                            Scene{Cause::InnerMinimum, 8, kWithin, 2.0},
                                            Scene{Cause::DistanceTest, 27, kLow, 4.0},

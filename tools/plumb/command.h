@@ -53,5 +53,7 @@ Command audit_command();
 Command compare_command();
 Command golden_command();
 Command profile_command();
+Command build_command();
+Command decode_command();
 
 }  // namespace plumb::tool

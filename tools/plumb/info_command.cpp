@@ -1,12 +1,15 @@
 // plumb info: what a terrain is like, and what was taken for granted.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "command.h"
 #include "common_options.h"
+#include "container_info.h"
+#include "core/check.h"
 #include "core/hash.h"
 #include "core/parallel.h"
 #include "info_preview.h"
@@ -17,6 +20,7 @@
 namespace plumb::tool {
 namespace {
 
+namespace fs = std::filesystem;
 using terrain::Heightfield;
 using terrain::TerrainStatistics;
 
@@ -176,8 +180,22 @@ std::string info_json(const Heightfield& field, const TerrainStatistics& found,
   return json.dump(2) + "\n";
 }
 
+// A coded terrain says itself all that the other options would.
+int run_container_info(const InfoOptions& options, const Invocation& invocation) {
+  TerrainOptions nothing_else;
+  nothing_else.terrain = options.terrain.terrain;
+  if (!(options.terrain == nothing_else) || !options.preview.empty())
+    input_error("{}: a coded terrain: 'plumb decode' makes one that these options are for",
+                options.terrain.terrain);
+  const mesh::patch_quadtree::Container container{fs::path(options.terrain.terrain)};
+  std::cout << (options.json ? container_json(container, invocation) : container_text(container));
+  return 0;
+}
+
 int run_info(const InfoOptions& options, const Invocation& invocation) {
   const ThreadLimit limit(options.threads);
+  if (mesh::patch_quadtree::is_container(options.terrain.terrain))
+    return run_container_info(options, invocation);
   Progress progress;
   progress.step("reading the terrain");
   const Heightfield field = load(options.terrain, false);
@@ -197,7 +215,9 @@ int run_info(const InfoOptions& options, const Invocation& invocation) {
 Command info_command() {
   Command command;
   command.name = "info";
-  command.summary = "Tell what a terrain is like, and what was assumed when it was read";
+  command.summary =
+      "Tell what a terrain is like, and what was assumed when it was read; or what a coded one "
+      "(.plumb) holds";
   command.example = "plumb info 'generate:alpine?size=513&seed=7' --preview preview.png";
   command.declare = [](Options& options) -> Action {
     const auto values = std::make_shared<InfoOptions>();

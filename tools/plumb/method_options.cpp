@@ -1,5 +1,7 @@
 #include "method_options.h"
 
+#include <algorithm>
+
 #include "audit/claim_check.h"
 #include "core/check.h"
 
@@ -15,6 +17,8 @@ void add_method_options(Options& options, MethodOptions& method) {
   options.text(method.tolerance, "--tolerance", "NUMBERpx|NUMBERm",
                "How far the method may stray, on screen or in metres");
   options.texts(method.parameters, "--set", "NAME=VALUE", "A parameter of the method's own");
+  options.text(method.prepared, "--prepared", "FILE",
+               "Draw from what plumb build made of this terrain");
 }
 
 MethodRequest method_request(const MethodOptions& options) {
@@ -27,6 +31,13 @@ MethodRequest method_request(const MethodOptions& options) {
     if (equals == std::string::npos || equals == 0)
       input_error("--set '{}': expected NAME=VALUE", text);
     request.choice.parameters[text.substr(0, equals)] = text.substr(equals + 1);
+  }
+  if (!options.prepared.empty()) {
+    const auto& known = request.method->parameters;
+    if (std::none_of(known.begin(), known.end(),
+                     [](const auto& parameter) { return parameter.first == "prepared"; }))
+      input_error("--prepared '{}': {} draws from no file", options.prepared, request.method->name);
+    request.choice.parameters["prepared"] = options.prepared;
   }
   request.choice = audit::resolved_choice(*request.method, std::move(request.choice));
   request.variant = request.choice.variant;

@@ -15,6 +15,7 @@ struct MethodOptions {
   std::string variant;
   std::string tolerance = "1px";
   std::vector<std::string> parameters;  // "name=value"
+  std::string prepared;                 // a file of plumb build
 
   friend bool operator==(const MethodOptions&, const MethodOptions&) = default;
 };

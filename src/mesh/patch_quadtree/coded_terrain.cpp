@@ -20,7 +20,7 @@ ChildPlace place_in_parent(const PatchPlace& patch) {
 
 class Encoder {
  public:
-  Encoder(const Grid<float>& heights_m, EncodedHeights& encoded)
+  Encoder(const terrain::HeightGrid& heights_m, EncodedHeights& encoded)
       : heights_m_(heights_m), header_(encoded.header), heights_(encoded.heights) {}
 
   void run() {
@@ -75,7 +75,7 @@ class Encoder {
     heights_[static_cast<std::size_t>(k)] = encode_family(numbers(patch), children);
   }
 
-  const Grid<float>& heights_m_;
+  const terrain::HeightGrid& heights_m_;
   ContainerHeader& header_;
   std::vector<Bytes>& heights_;
 };
@@ -118,12 +118,11 @@ EncodedHeights encode_heights(const terrain::Heightfield& field, const EncodeOpt
   header.origin_m = field.origin_m;
   header.terrain_checksum = terrain::checksum(field);
   header.source = field.provenance.source;
-  header.crs = field.provenance.crs;
+  header.crs = terrain::system_of_coordinates(field.provenance);
   if (const std::string why = wrong_with(header); !why.empty())
     input_error("{} within {:g} m cannot be coded: {}", header.source, header.error_m, why);
   require_within(field, header);
-  const terrain::FloatHeights heights_m(field.heights_m);
-  Encoder(*heights_m, encoded).run();
+  Encoder(field.heights_m, encoded).run();
   return encoded;
 }
 

@@ -4,6 +4,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -32,9 +33,15 @@ struct ContainerHeader {
   double dx_m = 1.0, dy_m = 1.0;
   glm::dvec2 origin_m{0.0};
   std::uint64_t terrain_checksum = 0;  // of the terrain that was coded
-  std::string source, crs;             // as its provenance says
+  std::string source, crs;             // where it comes from, what its coordinates are in
   Bytes models;                        // of the codec, for all records
   Bytes parameters;                    // of the payload
+
+  /// What no decoded height of a level exceeds: error_m, or twice as much with each level where the
+  /// step doubles.
+  double promised_m(int level) const {
+    return quantiser.rule == StepRule::Same ? error_m : std::ldexp(error_m, level);
+  }
 };
 
 /// Two streams for each patch, by its number: its heights (of version 1 a family's, under its

@@ -15,11 +15,10 @@ DecodedLevel compared(const Grid<float>& decoded, const PatchLayout& layout,
   DecodedLevel found;
   found.patches = 1;
   found.samples = static_cast<std::int64_t>(decoded.size());
-  std::vector<float> buffer;
   for (int j = 0; j < decoded.rows(); ++j) {
-    const auto row = heights_m.row(layout.sample_row(place, j - 1), buffer);
+    const int row = layout.sample_row(place, j - 1);
     for (int i = 0; i < decoded.columns(); ++i) {
-      const float truth = row[static_cast<std::size_t>(layout.sample_column(place, i - 1))];
+      const float truth = heights_m(layout.sample_column(place, i - 1), row);
       const float height = decoded(i, j);
       if (std::isnan(truth) || std::isnan(height)) {
         ++(std::isnan(truth) && std::isnan(height) ? found.voids : found.voids_differ);
@@ -57,8 +56,7 @@ std::vector<DecodedLevel> check_decoded(const Container& container,
   std::vector<DecodedLevel> levels(static_cast<std::size_t>(layout.levels));
   for (int level = 0; level < layout.levels; ++level) {
     DecodedLevel& of = levels[static_cast<std::size_t>(level)];
-    of.promised_m = header.quantiser.rule == StepRule::Same ? header.error_m
-                                                            : std::ldexp(header.error_m, level);
+    of.promised_m = header.promised_m(level);
     const auto begin = static_cast<std::size_t>(layout.first_of_level(level)),
                end = static_cast<std::size_t>(layout.first_of_level(level - 1));
     for (std::size_t k = begin; k < end; ++k) add(patches[k], of);

@@ -5,14 +5,14 @@
 
 namespace plumb::mesh::patch_quadtree {
 
-PatchNumbers numbers_of(const Grid<float>& heights_m, const PatchLayout& layout,
+PatchNumbers numbers_of(const terrain::HeightGrid& heights_m, const PatchLayout& layout,
                         const PatchPlace& patch, const Quantiser& quantiser) {
   const int side = layout.side();
   PatchNumbers numbers{Grid<std::int32_t>(side, side), {}};
   for (int j = 0; j < side; ++j) {
-    const auto row = heights_m.row(layout.sample_row(patch, j - 1));
+    const int row = layout.sample_row(patch, j - 1);
     for (int i = 0; i < side; ++i) {
-      const float height = row[static_cast<std::size_t>(layout.sample_column(patch, i - 1))];
+      const float height = heights_m(layout.sample_column(patch, i - 1), row);
       if (std::isnan(height)) {
         if (!numbers.has_voids()) numbers.voids = Grid<std::uint8_t>(side, side);
         numbers.voids(i, j) = 1;

@@ -6,6 +6,7 @@
 #include "core/grid.h"
 #include "mesh/patch_quadtree/patch_layout.h"
 #include "mesh/patch_quadtree/quantiser.h"
+#include "terrain/height_grid.h"
 
 namespace plumb::mesh::patch_quadtree {
 
@@ -19,7 +20,7 @@ struct PatchNumbers {
 };
 
 /// What the quantiser makes of a patch's heights.
-PatchNumbers numbers_of(const Grid<float>& heights_m, const PatchLayout& layout,
+PatchNumbers numbers_of(const terrain::HeightGrid& heights_m, const PatchLayout& layout,
                         const PatchPlace& patch, const Quantiser& quantiser);
 
 /// Heights again, NaN for a void.

@@ -11,10 +11,7 @@ Bytes rans_model_bytes(std::span<const RansCounts> contexts) {
     if (std::all_of(symbols.begin(), symbols.end(), [](std::uint64_t n) { return n == 0; }))
       continue;
     used[m / 8] = static_cast<std::uint8_t>(used[m / 8] | 1u << m % 8);
-    for (const std::uint16_t frequency : rans_frequencies(symbols)) {
-      bytes.push_back(static_cast<std::uint8_t>(frequency));
-      bytes.push_back(static_cast<std::uint8_t>(frequency >> 8));
-    }
+    for (const std::uint16_t frequency : rans_frequencies(symbols)) put_number(frequency, bytes);
   }
   used.insert(used.end(), bytes.begin(), bytes.end());
   return used;
@@ -32,9 +29,9 @@ std::optional<std::vector<RansTable>> rans_tables_of(std::span<const std::uint8_
     if ((used[m / 8] >> m % 8 & 1u) != 0) {
       std::uint32_t sum = 0;
       for (std::uint16_t& frequency : frequencies) {
-        const std::uint32_t low = reader.byte();
-        frequency = static_cast<std::uint16_t>(low | std::uint32_t{reader.byte()} << 8);
-        if (frequency == 0 || frequency >= kRansTotal) return std::nullopt;
+        const std::uint64_t number = reader.number();
+        if (number == 0 || number >= kRansTotal) return std::nullopt;
+        frequency = static_cast<std::uint16_t>(number);
         sum += frequency;
       }
       if (sum != kRansTotal) return std::nullopt;

@@ -15,7 +15,8 @@ namespace plumb::mesh::patch_quadtree {
 /// How often each symbol occurs in a context.
 using RansCounts = std::array<std::uint64_t, kRansSymbols>;
 
-/// A bit for each context that occurs, then for each of these 16 frequencies of 16 bits.
+/// A bit for each context that occurs, then for each of these 16 frequencies as numbers
+/// (put_number).
 Bytes rans_model_bytes(std::span<const RansCounts> contexts);
 
 /// The tables again, `contexts` of them; nothing if the bytes are none of theirs.

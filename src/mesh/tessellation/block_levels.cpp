@@ -51,8 +51,9 @@ class Chooser {
  private:
   void choose_own(std::size_t at, PatchLevels& patch, LevelCounts& counts) {
     const PatchPlace& place = selection_.drawn[at];
-    const PatchBounds& bounds =
-        prepared_.bounds->patches[static_cast<std::size_t>(layout_.index(place))];
+    const PatchBounds bounds =
+        thinned_bounds(*prepared_.container, *prepared_.bounds, *prepared_.foretold,
+                       layout_.index(place), heights_m_[at]);
     const BoundScale& scale = prepared_.bounds->scale;
     const int cells = prepared_.pieces->block_cells();
     const Box whole = box_of(prepared_, place);

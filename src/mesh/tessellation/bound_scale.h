@@ -7,7 +7,7 @@
 
 namespace plumb::mesh::tessellation {
 
-/// Codes 1 to 254 are unit_m 2^((code - 1) / 8), so that a code is less than 9.06 % more than what
+/// Codes 1 to 254 are unit_m 2^((code - 1) / 5), so that a code is less than 14.87 % more than what
 /// it stands for; 0 is zero, 255 is no bound at all.
 ///
 ///   (1) value(code(x)) >= x for every x >= 0, and codes rise with x.
@@ -20,7 +20,7 @@ struct BoundScale {
     if (code == 0) return 0.0;
     if (code == kNone) return std::numeric_limits<double>::infinity();
     const unsigned step = code - 1u;
-    return unit_m * kEighths[step % 8] * static_cast<double>(std::uint64_t{1} << step / 8);
+    return unit_m * kFifths[step % 5] * static_cast<double>(std::uint64_t{1} << step / 5);
   }
   std::uint8_t code(double bound_m) const {
     if (!(bound_m > 0.0)) return 0;
@@ -37,15 +37,9 @@ struct BoundScale {
   }
 
  private:
-  // 2^(k / 8)
-  static constexpr std::array<double, 8> kEighths{1.0,
-                                                  1.0905077326652577,
-                                                  1.189207115002721,
-                                                  1.2968395546510096,
-                                                  1.4142135623730951,
-                                                  1.5422108254079407,
-                                                  1.681792830507429,
-                                                  1.8340080864093424};
+  // 2^(k / 5)
+  static constexpr std::array<double, 5> kFifths{1.0, 1.148698354997035, 1.3195079107728942,
+                                                 1.5157165665103982, 1.7411011265922482};
 };
 
 }  // namespace plumb::mesh::tessellation

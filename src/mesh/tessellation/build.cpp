@@ -43,27 +43,35 @@ BoundScale scale_for(const Grid<float>& heights_m, double error_m) {
   return {std::ldexp(high - low + 4.0 * error_m, -31)};
 }
 
-// All patches' bounds, from heights as they will be decoded.
-std::vector<PatchBounds> measured_bounds(const Grid<float>& heights_m,
-                                         const ContainerHeader& header, const BlockPieces& pieces,
-                                         const BoundScale& scale) {
+// All patches' bounds, from heights as they will be decoded, and what foretells them.
+struct Measured {
+  std::vector<PatchBounds> bounds;
+  std::vector<std::vector<double>> distances_m;
+};
+
+Measured measured_bounds(const terrain::HeightGrid& field_m, const Grid<float>& heights_m,
+                         const ContainerHeader& header, const BlockPieces& pieces,
+                         const BoundScale& scale) {
   const PatchLayout& layout = header.layout;
   const std::vector<float> published = published_errors(heights_m, layout);
-  std::vector<PatchBounds> bounds(static_cast<std::size_t>(layout.patch_count()));
+  const ThinnedForetold foretold(pieces);
+  const auto count = static_cast<std::size_t>(layout.patch_count());
+  Measured measured{std::vector<PatchBounds>(count), std::vector<std::vector<double>>(count)};
   for (int level = 0; level < layout.levels; ++level) {
     const BoundsOfLevel measure(heights_m, layout, level, pieces, scale);
     const std::int64_t first = layout.first_of_level(level);
     parallel_for(layout.first_of_level(level - 1) - first, 1, [&](std::int64_t k) {
+      const auto at = static_cast<std::size_t>(first + k);
       const PatchPlace patch = layout.place(first + k);
       const Grid<float> decoded = patch_quadtree::heights_of(
-          patch_quadtree::numbers_of(heights_m, layout, patch, header.quantiser), header.quantiser,
+          patch_quadtree::numbers_of(field_m, layout, patch, header.quantiser), header.quantiser,
           level);
-      PatchBounds& here = bounds[static_cast<std::size_t>(first + k)];
-      here = measure.bounds(patch, decoded);
-      here.published_m = published[static_cast<std::size_t>(first + k)];
+      measured.bounds[at] = measure.bounds(patch, decoded);
+      measured.bounds[at].published_m = published[at];
+      measured.distances_m[at] = foretold.distances_m(decoded);
     });
   }
-  return bounds;
+  return measured;
 }
 
 Bytes parameter_bytes(int block_cells, const BoundScale& scale,
@@ -121,16 +129,20 @@ Bytes build(const terrain::Heightfield& field, const BuildOptions& options) {
   const terrain::FloatHeights floats(field.heights_m);
   const Grid<float>& heights_m = *floats;
   const BoundScale scale = scale_for(heights_m, options.heights.error_m);
-  const std::vector<PatchBounds> bounds = measured_bounds(heights_m, header, pieces, scale);
+  const Measured measured = measured_bounds(field.heights_m, heights_m, header, pieces, scale);
+  const auto foretold = [&](std::size_t k) {
+    return ForetoldBounds{measured.distances_m[k], scale};
+  };
 
   std::vector<RansCounts> counts(bound_contexts(levels_of(options.block_cells)));
-  for (const PatchBounds& each : bounds) count_bounds(each, counts);
+  for (std::size_t k = 0; k < measured.bounds.size(); ++k)
+    count_bounds(measured.bounds[k], foretold(k), counts);
   header.parameters = parameter_bytes(options.block_cells, scale, counts);
   const Parameters parameters = parameters_of(header, header.source);
-  ContainerRecords records{std::move(encoded.heights), std::vector<Bytes>(bounds.size())};
-  parallel_for(static_cast<std::int64_t>(bounds.size()), 16, [&](std::int64_t k) {
-    records.payload[static_cast<std::size_t>(k)] =
-        encode_bounds(bounds[static_cast<std::size_t>(k)], parameters.tables);
+  ContainerRecords records{std::move(encoded.heights), std::vector<Bytes>(measured.bounds.size())};
+  parallel_for(static_cast<std::int64_t>(records.payload.size()), 16, [&](std::int64_t k) {
+    const auto at = static_cast<std::size_t>(k);
+    records.payload[at] = encode_bounds(measured.bounds[at], foretold(at), parameters.tables);
   });
   return patch_quadtree::container_bytes(header, records);
 }
@@ -140,16 +152,27 @@ Bounds read_bounds(const patch_quadtree::Container& container) {
   if (header.payload != Payload::Tessellation)
     input_error("'{}' was not built for tessellation: plumb build --method tessellation makes one",
                 container.name());
-  const Parameters parameters = parameters_of(header, container.name());
-  Bounds bounds{parameters.block_cells, parameters.scale,
+  Parameters parameters = parameters_of(header, container.name());
+  Bounds bounds{parameters.block_cells, parameters.scale, std::move(parameters.tables),
                 std::vector<PatchBounds>(static_cast<std::size_t>(header.layout.patch_count()))};
   const int blocks = header.layout.patch_cells / parameters.block_cells;
   parallel_for(header.layout.patch_count(), 16, [&](std::int64_t k) {
     if (!decode_bounds(container.payload(k), blocks, levels_of(parameters.block_cells),
-                       parameters.tables, bounds.patches[static_cast<std::size_t>(k)]))
+                       bounds.tables, bounds.patches[static_cast<std::size_t>(k)]))
       input_error("cannot read '{}': the bounds of patch {} are none", container.name(), k);
   });
   return bounds;
+}
+
+PatchBounds thinned_bounds(const patch_quadtree::Container& container, const Bounds& bounds,
+                           const ThinnedForetold& foretold, std::int64_t patch,
+                           const Grid<float>& heights_m) {
+  PatchBounds complete = bounds.patches[static_cast<std::size_t>(patch)];
+  const std::vector<double> distances_m = foretold.distances_m(heights_m);
+  if (!decode_thinned(container.payload(patch), {distances_m, bounds.scale}, bounds.tables,
+                      complete))
+    input_error("cannot read '{}': the bounds of patch {} are none", container.name(), patch);
+  return complete;
 }
 
 }  // namespace plumb::mesh::tessellation

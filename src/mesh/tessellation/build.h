@@ -6,7 +6,9 @@
 
 #include "mesh/patch_quadtree/coded_terrain.h"
 #include "mesh/patch_quadtree/container.h"
+#include "mesh/patch_quadtree/rans_models.h"
 #include "mesh/tessellation/patch_bounds.h"
+#include "mesh/tessellation/thinned_foretold.h"
 #include "terrain/heightfield.h"
 
 namespace plumb::mesh::tessellation {
@@ -23,10 +25,12 @@ struct BuildOptions {
 /// Throws as encode_heights does, and std::invalid_argument for other block_cells.
 patch_quadtree::Bytes build(const terrain::Heightfield& field, const BuildOptions& options);
 
-/// What a file says beside heights: bounds of all patches by their number.
+/// What a file says beside heights: bounds of all patches by their number, but for those of
+/// thinnings.
 struct Bounds {
   int block_cells = 8;
   BoundScale scale;
+  std::vector<patch_quadtree::RansTable> tables;
   std::vector<PatchBounds> patches;
 
   /// Err(P), metres.
@@ -37,5 +41,11 @@ struct Bounds {
 
 /// Throws InputError, naming the patch, if the container has another payload or is damaged.
 Bounds read_bounds(const patch_quadtree::Container& container);
+
+/// All bounds of one patch, by its heights as they are decoded. Throws InputError, naming it, if
+/// they are damaged.
+PatchBounds thinned_bounds(const patch_quadtree::Container& container, const Bounds& bounds,
+                           const ThinnedForetold& foretold, std::int64_t patch,
+                           const Grid<float>& heights_m);
 
 }  // namespace plumb::mesh::tessellation

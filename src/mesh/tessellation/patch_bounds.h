@@ -18,11 +18,10 @@ namespace plumb::mesh::tessellation {
 /// A block's bound of thinning d holds for every mixture that is drawn with its inside thinned by
 /// 2^d and no side by more: the largest vertical distance between what is drawn, on decoded
 /// heights, and the full-detail surface (`blocks:8`), at the samples and wherever edges of the two
-/// cross. No bound (BoundScale::kNone) where thinning would change the outline of a void, zero
-/// where nothing is drawn.
+/// cross. No bound (BoundScale::kNone) where thinning would change the outline of a void.
 struct PatchBounds {
   float low_m = 0.0f, high_m = -1.0f;  // of the finest heights beneath; low > high: all void
-  float published_m = 0.0f;            // the paper's Err_appr, without delta; infinite: no bound
+  float published_m = 0.0f;            // the paper's Err_appr, without delta
   int blocks = 0, levels = 0;          // blocks along a side, thinnings of a block
   std::vector<std::uint8_t> codes;     // block by block, row by row, `levels` each; empty: all void
 

@@ -16,8 +16,8 @@ struct Stretch {
 
 // The blocks drawn on the other side of a stretch.
 struct Beyond {
-  bool some = false, other_level = false;
-  double bound_m = 0.0;
+  bool some = false;
+  double bound_m = 0.0, delta_m = 0.0;
   float low_m = 0.0f, high_m = 0.0f;
 };
 
@@ -58,12 +58,12 @@ class SkirtsOfPatch {
     const Stretch stretch{first << place_.level, (first + cells_) << place_.level};
     Beyond beyond;
     look(other, side, stretch, beyond);
-    const bool everywhere = prepared_.parameters.variant == Variant::Published;
-    if (!beyond.some || !(everywhere || beyond.other_level)) return;
+    if (!beyond.some) return;
     const PatchBounds& bounds = bounds_of(place_);
     const double delta = prepared_.header().quantiser.error_m(place_.level);
     const double most = double{std::max(bounds.high_m, beyond.high_m)} -
-                        double{std::min(bounds.low_m, beyond.low_m)} + 4.0 * delta;
+                        double{std::min(bounds.low_m, beyond.low_m)} +
+                        2.0 * std::max(delta, beyond.delta_m);
     skirts.push_back({top_of(side, i, j), std::min(most, own_.bound_m(i, j) + beyond.bound_m)});
   }
 
@@ -134,7 +134,7 @@ class SkirtsOfPatch {
     beyond.low_m = beyond.some ? std::min(beyond.low_m, bounds.low_m) : bounds.low_m;
     beyond.high_m = beyond.some ? std::max(beyond.high_m, bounds.high_m) : bounds.high_m;
     beyond.some = true;
-    beyond.other_level = beyond.other_level || patch.level != place_.level;
+    beyond.delta_m = std::max(beyond.delta_m, prepared_.header().quantiser.error_m(patch.level));
   }
 
   const Prepared& prepared_;

@@ -15,11 +15,10 @@ struct Skirt {
   double depth_m = 0.0;
 };
 
-/// Skirts of one drawn patch. A side of a block has one where another patch lies across it whose
-/// side may differ: of another level, or by the published rules any. It is as deep as the two
-/// bounds together, which no crack exceeds, nor more than the two patches' heights span.
-/// Source: [Yusov & Shevtsov 2011, section 5]; the depth is derived in
-/// docs/algorithms/tessellation.md.
+/// The published variant's skirts of one drawn patch: one below every side of a block across which
+/// another patch lies, as deep as the two bounds together, nor more than the two patches' heights
+/// span.
+/// Source: [Yusov & Shevtsov 2011, section 5]: "such that it hides all possible cracks".
 std::vector<Skirt> skirts_of(const Prepared& prepared, const PatchSelection& selection,
                              const ChosenLevels& levels, std::size_t drawn);
 

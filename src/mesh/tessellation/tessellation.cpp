@@ -7,6 +7,7 @@
 #include "core/check.h"
 #include "core/parallel.h"
 #include "mesh/tessellation/patch_mesh.h"
+#include "mesh/tessellation/seams.h"
 #include "mesh/tessellation/skirts.h"
 
 namespace plumb::mesh::tessellation {
@@ -20,9 +21,9 @@ namespace {
 // hundredths of a millimetre on a terrain of metres, not below what its numbers can hold.
 constexpr double kErrorOfSpacing = 2e-5, kErrorOfHeight = 3e-7;
 
-// A patch before it joins the others.
-struct DrawnPatch {
-  PatchMesh mesh;
+// What closes a patch's rims: walls of the conservative variant, or the paper's skirts.
+struct Rims {
+  std::vector<SeamTriangle> seams;
   std::vector<Skirt> skirts;
 };
 
@@ -37,25 +38,25 @@ class Joiner {
     surface_.kinds = {"ground", "skirts"};
   }
 
-  void add(std::size_t at, const DrawnPatch& drawn) {
+  void add(std::size_t at, const PatchMesh& drawn, const Rims& rims) {
     const PatchPlace& place = selection_.drawn[at];
     const int n = prepared_.header().layout.patch_cells;
     std::vector<std::uint32_t> number;
-    number.reserve(drawn.mesh.points.size());
-    for (const PatchPoint& point : drawn.mesh.points) {
+    number.reserve(drawn.points.size());
+    for (const PatchPoint& point : drawn.points) {
       const bool on_rim = point.i == 0 || point.j == 0 || point.i == n || point.j == n;
       number.push_back(on_rim ? rim_vertex(at, point) : new_vertex(position(at, point)));
     }
     begin_patch(place, "", 0);
-    for (std::size_t k = 0; k < drawn.mesh.triangles.size(); ++k) {
-      const Triangle& t = drawn.mesh.triangles[k];
+    for (std::size_t k = 0; k < drawn.triangles.size(); ++k) {
+      const Triangle& t = drawn.triangles[k];
       mesh_->triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
-      surface_.triangle_lod.push_back(
-          static_cast<std::uint8_t>(place.level + drawn.mesh.thinned[k]));
+      surface_.triangle_lod.push_back(static_cast<std::uint8_t>(place.level + drawn.thinned[k]));
     }
     if (end_patch()) claim_patch(at);
     begin_patch(place, "skirts of ", 1);
-    for (const Skirt& skirt : drawn.skirts) hang(at, skirt);
+    for (const SeamTriangle& seam : rims.seams) wall(place.level, seam);
+    for (const Skirt& skirt : rims.skirts) hang(at, skirt);
     end_patch();
   }
 
@@ -95,6 +96,17 @@ class Joiner {
       if (vertex.height_m == height_m) return vertex.number;
     here.push_back({height_m, new_vertex(position(at, point))});
     return here.back().number;
+  }
+
+  void wall(int level, const SeamTriangle& seam) {
+    Triangle triangle{};
+    for (std::size_t k = 0; k < 3; ++k)
+      triangle[k] = seam[k].drawn >= 0
+                        ? rim_vertex(static_cast<std::size_t>(seam[k].drawn), seam[k].point)
+                        : new_vertex(seam[k].place_m);
+    mesh_->triangles.push_back(triangle);
+    surface_.triangle_lod.push_back(static_cast<std::uint8_t>(level));
+    ++skirt_triangles_;
   }
 
   // Two triangles for each piece of the top; none where there is no height, or beyond the terrain.
@@ -173,8 +185,9 @@ void add_notes(const Prepared& prepared, const PatchSelection& selection, const 
                                       skirt_triangles));
   if (counts.unreachable > 0)
     surface.notes.push_back(fmt::format(
-        "{} blocks of the finest level miss the tolerance: the heights are coded within {:g} m",
-        counts.unreachable, prepared.header().error_m));
+        "{} blocks of the finest level miss the tolerance in full detail: heights coded within "
+        "{:g} m, diagonals of blocks of {}",
+        counts.unreachable, prepared.header().error_m, prepared.bounds->block_cells));
   if (prepared.parameters.variant != Variant::Published) return;
   for (std::size_t k = 0; k < kCauses; ++k) {
     const auto cause = static_cast<Cause>(k);
@@ -216,6 +229,8 @@ Prepared prepared_from(std::shared_ptr<const Container> container, Parameters pa
   prepared.decoder = std::make_shared<patch_quadtree::PatchDecoder>(*prepared.container);
   prepared.bounds = std::make_shared<const Bounds>(read_bounds(*prepared.container));
   prepared.pieces = std::make_shared<const BlockPieces>(prepared.bounds->block_cells);
+  prepared.foretold = std::make_shared<const ThinnedForetold>(*prepared.pieces);
+  prepared.truth_pieces = std::make_shared<const BlockPieces>(8);
   parameters.error_m = prepared.header().error_m;
   parameters.patch_cells = prepared.header().layout.patch_cells;
   parameters.block_cells = prepared.bounds->block_cells;
@@ -257,14 +272,25 @@ DrawnSurface draw(const Prepared& prepared, const Camera& camera, const Toleranc
   const PatchSelection selection = select_patches(prepared, view);
   const std::vector<Grid<float>> heights_m = decode_drawn(prepared, selection);
   const ChosenLevels levels = choose_levels(prepared, view, selection, heights_m);
-  std::vector<DrawnPatch> drawn(selection.drawn.size());
-  parallel_for(static_cast<std::int64_t>(drawn.size()), 1, [&](std::int64_t k) {
-    const auto at = static_cast<std::size_t>(k);
-    drawn[at] = {mesh_of_patch(prepared, selection.drawn[at], heights_m[at], levels.patches[at]),
-                 skirts_of(prepared, selection, levels, at)};
+  std::vector<PatchMesh> drawn(selection.drawn.size());
+  std::vector<Rims> rims(selection.drawn.size());
+  const auto for_each_patch = [&](const auto& body) {
+    parallel_for(static_cast<std::int64_t>(drawn.size()), 1,
+                 [&](std::int64_t k) { body(static_cast<std::size_t>(k)); });
+  };
+  for_each_patch([&](std::size_t k) {
+    drawn[k] = mesh_of_patch(prepared, selection.drawn[k], heights_m[k], levels.patches[k]);
+  });
+  const bool is_published = prepared.parameters.variant == Variant::Published;
+  for_each_patch([&](std::size_t k) {
+    if (is_published) {
+      rims[k].skirts = skirts_of(prepared, selection, levels, k);
+    } else {
+      rims[k].seams = seams_of(prepared, view, selection, heights_m, levels, drawn, k);
+    }
   });
   Joiner joiner(prepared, selection, heights_m, levels);
-  for (std::size_t k = 0; k < drawn.size(); ++k) joiner.add(k, drawn[k]);
+  for (std::size_t k = 0; k < drawn.size(); ++k) joiner.add(k, drawn[k], rims[k]);
   DrawnSurface surface = joiner.take();
   add_claims(prepared, view, levels.counts, surface);
   add_notes(prepared, selection, levels.counts, joiner.skirt_triangles(), surface);

@@ -23,6 +23,8 @@ struct Prepared {
   std::shared_ptr<const patch_quadtree::PatchDecoder> decoder;  // of the container
   std::shared_ptr<const Bounds> bounds;
   std::shared_ptr<const BlockPieces> pieces;
+  std::shared_ptr<const ThinnedForetold> foretold;  // of the pieces
+  std::shared_ptr<const BlockPieces> truth_pieces;  // of blocks of 8, as the full detail has them
 
   const patch_quadtree::ContainerHeader& header() const { return container->header(); }
 };
@@ -43,8 +45,7 @@ Prepared prepare(const terrain::Heightfield& field, const std::filesystem::path&
 ///   in view is displaced on screen by at most the tolerance. (3) Where the coded heights are too
 ///   coarse for either, the claim says what holds instead, and that it is out of reach. (4) Its
 ///   outline, voids included, is that of the full-detail surface. (5) Blocks agree on the sides
-///   they share; where patches of two levels meet, skirts as deep as the largest possible crack
-///   hide it.
+///   they share; where patches of two levels meet, walls fill what is between them.
 /// Variant `published` selects as the paper prints it, less what is mended.
 /// Source: [Yusov & Shevtsov 2011]; departures are named in docs/algorithms/tessellation.md.
 DrawnSurface draw(const Prepared& prepared, const Camera& camera, const Tolerance& tolerance);

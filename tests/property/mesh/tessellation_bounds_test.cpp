@@ -53,9 +53,10 @@ class BoundsCheck {
 
   // `mixtures` of every block of a patch, or of one in `every`.
   void patch(const PatchPlace& place, Random& random, int mixtures, int every, Tightness& found) {
-    const auto& bounds =
-        prepared_.bounds->patches[static_cast<std::size_t>(prepared_.header().layout.index(place))];
     const Grid<float> heights_m = prepared_.decoder->heights(place);
+    const PatchBounds bounds =
+        thinned_bounds(*prepared_.container, *prepared_.bounds, *prepared_.foretold,
+                       prepared_.header().layout.index(place), heights_m);
     if (bounds.is_void()) {
       // Its margin is other patches'.
       for (int j = 1; j + 1 < heights_m.rows(); ++j)

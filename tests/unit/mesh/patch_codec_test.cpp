@@ -189,7 +189,7 @@ struct Coded {
     quantiser = quantiser_for(grid, error_m, rule);
   }
   PatchNumbers numbers(const PatchPlace& place) const {
-    return numbers_of(*grid.as_floats(), layout, place, quantiser);
+    return numbers_of(grid, layout, place, quantiser);
   }
 };
 

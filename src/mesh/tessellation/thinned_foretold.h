@@ -1,0 +1,34 @@
+// What thinning a patch's blocks costs against the patch itself: from which bounds are foretold.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/grid.h"
+#include "mesh/tessellation/block_pieces.h"
+#include "mesh/tessellation/piece_deviation.h"
+
+namespace plumb::mesh::tessellation {
+
+/// Of a block, by thinning: the largest distance of any mixture that a bound of that thinning is
+/// for from the block in full detail, both on the patch's own heights, as if its samples stood
+/// evenly.
+/// Part of the file's format: what is coded is how bounds differ from it.
+class ThinnedForetold {
+ public:
+  explicit ThinnedForetold(const BlockPieces& pieces);
+
+  /// Of every block, row by row: `levels` distances in metres, the first zero; -1 for all of a
+  /// block that has a void. heights_m: (n + 3)^2, as decoded.
+  std::vector<double> distances_m(const Grid<float>& heights_m) const;
+
+ private:
+  double strips(std::span<const double> drawn_m, const TruthBelow& own, int inside,
+                int along) const;
+
+  int cells_, coarsest_;
+  std::vector<PieceGeometry> interior_, strips_;
+  PieceGeometry whole_;
+};
+
+}  // namespace plumb::mesh::tessellation
