@@ -212,9 +212,9 @@ TEST(ModelledPatch, IsWhatItWas) {
       const PatchPlace p = coded.layout.place(k);
       count_symbols(coded.numbers(p.parent()), place_in(p), coded.numbers(p), counts);
     }
-    std::array<RansFrequencies, kModels> frequencies;
-    for (std::size_t m = 0; m < kModels; ++m) frequencies[m] = rans_frequencies(counts.counts[m]);
-    const ModelTables tables(frequencies);
+    ModelTables tables;
+    for (std::size_t m = 0; m < kModels; ++m)
+      tables.tables.emplace_back(rans_frequencies(counts.counts[m]));
     PatchNumbers root;
     ASSERT_TRUE(
         decode_root(encode_root(coded.numbers(coded.layout.root())), 16, StepRule::Same, root));
@@ -270,9 +270,8 @@ TEST(PublishedFamily, IsWhatItWas) {
 // Bytes that nobody wrote are decoded to something, or to nothing, but never to harm.
 TEST(PatchCodec, SurvivesRandomBytes) {
   Random random(77);
-  std::array<RansFrequencies, kModels> frequencies;
-  frequencies.fill(rans_frequencies(std::array<std::uint64_t, kRansSymbols>{}));
-  const ModelTables tables(frequencies);
+  const RansTable alike(rans_frequencies(std::array<std::uint64_t, kRansSymbols>{}));
+  const ModelTables tables{std::vector<RansTable>(kModels, alike)};
   PatchNumbers parent{Grid<std::int32_t>(19, 19, most_number(StepRule::Same)), {}};
   PatchNumbers deep{Grid<std::int32_t>(19, 19, -most_number(StepRule::DoublesWithLevel)), {}};
   for (int round = 0; round < 300; ++round) {
