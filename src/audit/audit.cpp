@@ -109,6 +109,8 @@ AuditResult audit_picture(const HeightfieldTruth& truth, HitImage true_hits,
   require_consistent(true_hits, surface, drawn, camera);
   Stopwatch watch;
   AuditResult result;
+  Band band = options.band;  // a silhouette may move by what the surface does
+  band.metres = std::max(band.metres, surface.out_of_reach_m);
   result.cost = surface.cost;
   result.true_hits = std::move(true_hits);
   result.drawn = std::move(drawn);
@@ -119,8 +121,7 @@ AuditResult audit_picture(const HeightfieldTruth& truth, HitImage true_hits,
   } else {
     result.of_solid = surface.is_solid;
     if (surface.is_solid) {
-      result.set_aside =
-          rays_below_ground(truth, result.true_hits, result.drawn, camera, options.band);
+      result.set_aside = rays_below_ground(truth, result.true_hits, result.drawn, camera, band);
       result.pixels_set_aside =
           std::count(result.set_aside.begin(), result.set_aside.end(), std::uint8_t{1});
       measure_picture(result, truth, without(result.drawn, result.set_aside), camera, options);
@@ -128,8 +129,8 @@ AuditResult audit_picture(const HeightfieldTruth& truth, HitImage true_hits,
       measure_picture(result, truth, result.drawn, camera, options);
     }
   }
-  result.coverage = coverage_of(truth, result.true_hits, result.drawn, camera, surface,
-                                options.band, result.set_aside);
+  result.coverage =
+      coverage_of(truth, result.true_hits, result.drawn, camera, surface, band, result.set_aside);
   result.registration = registration_of(surface.mesh.get(), result.drawn, camera);
   check_claims(result, truth, surface, camera, options);
   result.times.measure_s = watch.lap_s();

@@ -135,7 +135,8 @@ std::string audit_json(const AuditResult& result, const AuditSubject& subject) {
                     {"parameters", subject.parameters},
                     {"tolerance", to_text(subject.tolerance)},
                     {"assumptions", subject.assumptions},
-                    {"hints", subject.hints}};
+                    {"hints", subject.hints},
+                    {"notes", subject.notes}};
   json["camera"] = camera_json(subject);
   json["claims"] = Json::array();
   for (const ClaimResult& claim : result.claims) json["claims"].push_back(claim_json(claim));

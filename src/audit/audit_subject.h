@@ -23,6 +23,7 @@ struct AuditSubject {
   std::string command;                        // the command line that makes the result again
   std::vector<std::string> assumptions = {};  // taken for granted, one sentence each
   std::vector<std::string> hints = {};        // what to look at first if the result surprises
+  std::vector<std::string> notes = {};        // what the method says of the frame
 };
 
 }  // namespace plumb::audit

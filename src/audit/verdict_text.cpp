@@ -14,13 +14,19 @@ std::string held_sentence(const AuditResult& result, const std::string& not_meas
   const auto held = std::count_if(
       result.claims.begin(), result.claims.end(),
       [](const ClaimResult& claim) { return is_of_frame(claim) && claim.is_measured; });
+  const bool out_of_reach =
+      std::any_of(result.claims.begin(), result.claims.end(),
+                  [](const ClaimResult& claim) { return claim.claim.unreachable; });
+  const char* reach =
+      out_of_reach ? " The tolerance asked for is out of reach: more than it is claimed." : "";
   if (not_measured.empty())
-    return fmt::format("Every claim holds: {} of the frame and {} of patches, coverage among them.",
-                       held, result.patch_claims);
+    return fmt::format(
+        "Every claim holds: {} of the frame and {} of patches, coverage among them.{}", held,
+        result.patch_claims, reach);
   return fmt::format(
       "Every claim that could be measured holds: {} of the frame and {} of patches; not measured: "
-      "{}.",
-      held, result.patch_claims, not_measured);
+      "{}.{}",
+      held, result.patch_claims, not_measured, reach);
 }
 
 std::string broken_sentence(const AuditResult& result, const std::string& not_measured) {
@@ -33,7 +39,12 @@ std::string broken_sentence(const AuditResult& result, const std::string& not_me
                       c.is_limit ? "the limit" : "claimed"));
   }
   if (result.patch_claims_broken > 0)
-    add(fmt::format("{} patches over their own bounds", result.patch_claims_broken));
+    add(fmt::format("{} over {} own bound{}",
+                    result.patch_claims_broken == 1
+                        ? "a patch"
+                        : fmt::format("{} patches", result.patch_claims_broken),
+                    result.patch_claims_broken == 1 ? "its" : "their",
+                    result.patch_claims_broken == 1 ? "" : "s"));
   if (!result.registration.agrees) add("the picture was not made with this camera");
   if (!not_measured.empty()) broken += "; not measured: " + not_measured;
   return "Broken: " + broken + ".";
@@ -64,7 +75,8 @@ std::string with_unit(double value, Unit unit) {
 }
 
 const char* verdict_word(const ClaimResult& claim) {
-  return claim.holds ? "held" : claim.is_measured ? "BROKEN" : "not measured";
+  if (claim.holds) return claim.claim.unreachable ? "held, out of reach" : "held";
+  return claim.is_measured ? "BROKEN" : "not measured";
 }
 
 std::string verdict_sentence(const AuditResult& result) {

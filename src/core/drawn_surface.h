@@ -60,6 +60,8 @@ struct DrawnSurface {
   static constexpr std::size_t kMostKinds = 6;
   std::vector<std::string> kinds;  // of patches, for a picture; empty: all are alike
   std::vector<Claim> claims;
+  /// Where the tolerance is out of reach: how far up or down the surface may stray there, metres.
+  double out_of_reach_m = 0.0;
   Cost cost;
   std::vector<std::string> notes;  // what a user should know: bounds out of reach, choices made
 

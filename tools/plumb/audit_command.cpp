@@ -115,13 +115,14 @@ Audited audit_frame(Run& run, const Camera& camera, const std::string& frame) {
   }
   run.progress.step(where + "casting the truth and measuring");
   const bool is_depth = run.options.stranger.is_depth();
-  Audited audited{
-      is_depth ? audit_depth(run, camera)
-               : audit::audit_surface(run.truth, run.drawn.surface, camera, run.measures),
-      {&run.field, run.truth.diagonal(), run.request.method->name, run.request.variant,
-       run.request.choice.parameters, run.request.tolerance, camera, run.options.camera.camera,
-       run.invocation.command_line(), run.drawn.assumptions, run.drawn.hints},
-      {}};
+  Audited audited{is_depth
+                      ? audit_depth(run, camera)
+                      : audit::audit_surface(run.truth, run.drawn.surface, camera, run.measures),
+                  {&run.field, run.truth.diagonal(), run.request.method->name, run.request.variant,
+                   run.request.choice.parameters, run.request.tolerance, camera,
+                   run.options.camera.camera, run.invocation.command_line(), run.drawn.assumptions,
+                   run.drawn.hints, run.drawn.surface.notes},
+                  {}};
   audited.result.times.prepare_s = run.drawn.prepare_s;
   audited.result.times.draw_s = run.drawn.draw_s;
   if (run.options.stranger.is_given()) {

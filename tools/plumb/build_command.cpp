@@ -147,8 +147,9 @@ std::string build_text(const BuildOptions& options, const Built& built) {
   }
   const std::vector<std::vector<std::string>> rows{
       {"bytes", fmt::format("{}: {:.3f} bits a sample", built.bytes, built.bits_per_sample)},
-      {"ratio", fmt::format("{:.2f} times less than the {} bytes of its samples",
-                            built.ratio_to_raw(), built.raw_bytes)},
+      {"ratio", fmt::format("{:.2f} to 1 of 16 bits a sample, {:.2f} to 1 of the {} bytes of its "
+                            "samples in memory",
+                            built.ratio_to_16_bits, built.ratio_to_raw(), built.raw_bytes)},
       {"patches", std::to_string(built.patches)},
       {"voids", fmt::format("{} of {} samples", built.voids, built.samples)},
       {"time", fmt::format("read {:.3f} s, code {:.3f} ({:.1f} megasamples/s), decode and compare "

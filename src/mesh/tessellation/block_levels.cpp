@@ -83,6 +83,7 @@ class Chooser {
         patch.bound_m(i, j) = bound_m;
         if (bound_m > allowed_m) {
           ++counts.unreachable;
+          counts.worst_m = std::max(counts.worst_m, bound_m);
           counts.worst_reach = std::max(counts.worst_reach, view_.reach(box, bound_m));
         }
       }
@@ -136,6 +137,7 @@ void LevelCounts::add(const LevelCounts& other) {
   blocks += other.blocks;
   sides += other.sides;
   unreachable += other.unreachable;
+  worst_m = std::max(worst_m, other.worst_m);
   worst_reach = std::max(worst_reach, other.worst_reach);
   for (std::size_t k = 0; k < kCauses; ++k) finer[k] += other.finer[k];
 }

@@ -20,6 +20,7 @@ struct PatchLevels {
 struct LevelCounts {
   std::int64_t blocks = 0, sides = 0;         // that were decided
   std::int64_t unreachable = 0;               // blocks at full detail that miss the tolerance
+  double worst_m = 0.0;                       // of these, metres
   double worst_reach = 0.0;                   // of these, in the tolerance's unit
   std::array<std::int64_t, kCauses> finer{};  // decisions that mending a cause would make finer
 

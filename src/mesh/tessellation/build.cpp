@@ -68,7 +68,7 @@ Measured measured_bounds(const terrain::HeightGrid& field_m, const Grid<float>& 
           level);
       measured.bounds[at] = measure.bounds(patch, decoded);
       measured.bounds[at].published_m = published[at];
-      measured.distances_m[at] = foretold.distances_m(decoded);
+      measured.distances_m[at] = foretold.distances_m(layout, patch, decoded);
     });
   }
   return measured;
@@ -168,7 +168,8 @@ PatchBounds thinned_bounds(const patch_quadtree::Container& container, const Bou
                            const ThinnedForetold& foretold, std::int64_t patch,
                            const Grid<float>& heights_m) {
   PatchBounds complete = bounds.patches[static_cast<std::size_t>(patch)];
-  const std::vector<double> distances_m = foretold.distances_m(heights_m);
+  const std::vector<double> distances_m = foretold.distances_m(
+      container.header().layout, container.header().layout.place(patch), heights_m);
   if (!decode_thinned(container.payload(patch), {distances_m, bounds.scale}, bounds.tables,
                       complete))
     input_error("cannot read '{}': the bounds of patch {} are none", container.name(), patch);

@@ -34,15 +34,16 @@ double tested_length_px(const ViewTest& view, const SideTest& side, double lengt
                         const Mends& mended) {
   const bool whole_side = mends(mended, Cause::EdgeMidpoint);
   const bool from_above = mends(mended, Cause::ViewFromAbove);
-  if (!from_above)
-    return whole_side ? displacement_bound_px(view.camera, side.box, kUp, length_m)
-                      : projected_px(view.camera, side.middle, length_m);
-  // As if it were seen from the side.
+  const double as_seen_px = whole_side ? displacement_bound_px(view.camera, side.box, kUp, length_m)
+                                       : projected_px(view.camera, side.middle, length_m);
+  if (!from_above) return as_seen_px;
+  // As if it were seen from the side; over the whole side, no less than it is seen.
   double depth = to_view(view.camera, side.middle).z;
   for (int k = 0; whole_side && k < 8; ++k)
     depth = std::min(depth, to_view(view.camera, side.box.corner(k)).z);
   depth = std::max(depth, view.camera.near_m);
-  return std::max(view.camera.gamma_h, view.camera.gamma_v) * length_m / depth;
+  const double sideways_px = std::max(view.camera.gamma_h, view.camera.gamma_v) * length_m / depth;
+  return whole_side ? std::max(sideways_px, as_seen_px) : sideways_px;
 }
 
 // The coarsest thinning that the test lets pass; lengths by thinning, the first unused.

@@ -10,7 +10,10 @@ using patch_quadtree::PatchPlace;
 
 namespace {
 
-constexpr double kMarginOfTolerance = 0.125;
+// Walls hang this much below the lower rim: more than the rasteriser's 1/256 of a pixel, far less
+// than what is tolerated.
+constexpr double kMarginOfTolerance = 0.125, kLeastMargin_px = 1.0 / 64.0;
+constexpr double kMarginOfSpacing = 1e-3;  // where no camera looks
 
 bool runs_up(std::size_t side) { return side == West || side == East; }
 std::size_t facing(std::size_t side) { return (side + 2) % 4; }
@@ -40,10 +43,11 @@ struct Rim {
   }
 };
 
-// The lowest that a piece of a rim hangs open over the other one, within it.
-struct Lowest {
-  double gap_m = 0.0;
-  glm::dvec3 place_m{0.0};
+// Of a piece of a rim that the other rim's vertices split: the walls' lower ends at the first and
+// the last of these.
+struct Split {
+  bool some = false;
+  glm::dvec3 first_m{0.0}, last_m{0.0};
 };
 
 class SeamsOfPatch {
@@ -90,20 +94,25 @@ class SeamsOfPatch {
 
   int last() const { return (runs_up(side_) ? layout_.rows : layout_.columns) - 1; }
 
-  // How far walls may hang below the lower rim, by the patch's blocks along the side.
+  // How far walls hang below the lower rim, by the patch's blocks along the side.
   void set_margins() {
-    const PatchLevels& levels = levels_.patches[static_cast<std::size_t>(drawn_)];
     const Grid<float>& heights_m = heights_m_[static_cast<std::size_t>(drawn_)];
+    const auto& header = prepared_.header();
     margins_m_.assign(static_cast<std::size_t>(blocks_), 0.0);
     for (int k = 0; k < blocks_; ++k) {
       const int i = side_ == West ? 0 : side_ == East ? blocks_ - 1 : k;
       const int j = side_ == South ? 0 : side_ == North ? blocks_ - 1 : k;
       const Box box = box_of_samples(prepared_, place_, heights_m, i * cells_, j * cells_,
                                      (i + 1) * cells_, (j + 1) * cells_);
-      if (box.empty()) continue;
-      const double allowed_m = kMarginOfTolerance * view_.allowed_m(box);
-      const double span_m = box.high.z - box.low.z + levels.bound_m(i, j);
-      margins_m_[static_cast<std::size_t>(k)] = std::min(allowed_m, span_m);
+      const double unseen_m = kMarginOfSpacing * std::max(header.dx_m, header.dy_m);
+      double margin_m = kMarginOfTolerance * view_.tolerance.value;
+      if (view_.in_metres()) {
+        margin_m = margin_m > 0.0 ? margin_m : unseen_m;
+      } else {
+        margin_m =
+            allowed_displacement_m(view_.camera, box, kUp, std::max(margin_m, kLeastMargin_px));
+      }
+      margins_m_[static_cast<std::size_t>(k)] = std::isfinite(margin_m) ? margin_m : unseen_m;
     }
   }
   double margin_m(std::int64_t at) const {
@@ -165,26 +174,30 @@ class SeamsOfPatch {
     close_between(coarse, fine, places);
   }
 
-  // What hangs from `upper` down to `lower`, where it is above.
+  // What hangs from `upper` down to `lower`, where it is no lower. Rims that are level hang too:
+  // where one has vertices that the other has not, rounding leaves pixels open.
   void close_between(const Rim& upper, const Rim& lower, const std::vector<std::int64_t>& places) {
-    std::size_t u = 0, l = 0, of_lowest = 0;
-    Lowest lowest;
+    std::size_t u = 0, l = 0, of_split = 0;
+    Split split;
     for (std::size_t k = 0; k + 1 < places.size(); ++k) {
       u = upper.piece(places[k], u);
       l = lower.piece(places[k], l);
-      if (u != of_lowest) hang_corner(upper, of_lowest, lowest);
-      of_lowest = u;
+      if (u != of_split) hang_along(upper, of_split, split);
+      of_split = u;
       if (!upper.vertices[u].drawn_after || !lower.vertices[l].drawn_after) continue;
       const Drop a = drop(upper, u, lower, l, places[k]),
                  b = drop(upper, u, lower, l, places[k + 1]);
-      if (!(a.top_m > a.lower_m || b.top_m > b.lower_m)) continue;
+      const bool is_above = a.top_m > a.lower_m || b.top_m > b.lower_m;
+      const bool is_level = a.top_m == a.lower_m && b.top_m == b.lower_m;
+      if (!is_above && !is_level) continue;
       hang(a, b);
       for (const Drop& end : {a, b}) {
-        if (end.top.drawn >= 0 || !(end.top_m - end.bottom_m > lowest.gap_m)) continue;
-        lowest = {end.top_m - end.bottom_m, end.bottom};
+        if (end.top.drawn >= 0) continue;
+        if (!split.some) split.first_m = end.bottom;
+        split = {true, split.first_m, end.bottom};
       }
     }
-    hang_corner(upper, of_lowest, lowest);
+    hang_along(upper, of_split, split);
   }
 
   // A place of the wall: its upper end, and how far down it goes.
@@ -224,14 +237,16 @@ class SeamsOfPatch {
   }
 
   // Vertices of the other rim split a piece's wall, but not the piece: along its edge, where
-  // rounding would leave pixels open, a triangle of its own two vertices.
-  void hang_corner(const Rim& upper, std::size_t piece, Lowest& lowest) {
-    if (lowest.gap_m > 0.0) {
-      const RimVertex &a = upper.vertices[piece], &b = upper.vertices[piece + 1];
-      triangles_.push_back({SeamCorner{upper.drawn, a.point, {}}, corner_at(lowest.place_m),
-                            SeamCorner{upper.drawn, b.point, {}}});
+  // rounding would leave pixels open, a strip that has the piece's own two vertices.
+  void hang_along(const Rim& upper, std::size_t piece, Split& split) {
+    if (split.some) {
+      const SeamCorner a{upper.drawn, upper.vertices[piece].point, {}},
+          b{upper.drawn, upper.vertices[piece + 1].point, {}};
+      triangles_.push_back({a, corner_at(split.first_m), b});
+      if (split.first_m != split.last_m)
+        triangles_.push_back({b, corner_at(split.first_m), corner_at(split.last_m)});
     }
-    lowest = {};
+    split = {};
   }
 
   const Prepared& prepared_;

@@ -175,14 +175,16 @@ void add_claims(const Prepared& prepared, const ViewTest& view, const LevelCount
   claim(Measure::SampleError);
   if (!is_published) claim(Measure::SurfaceError);
   if (!view.in_metres()) claim(Measure::PixelError);
+  surface.out_of_reach_m = counts.worst_m;
   surface.claims.insert(surface.claims.begin(), claims.begin(), claims.end());
 }
 
 void add_notes(const Prepared& prepared, const PatchSelection& selection, const LevelCounts& counts,
                std::int64_t skirt_triangles, DrawnSurface& surface) {
-  surface.notes.push_back(fmt::format("{} patches of {} visited, {} blocks; {} triangles of skirts",
-                                      selection.drawn.size(), selection.visited, counts.blocks,
-                                      skirt_triangles));
+  surface.notes.push_back(
+      fmt::format("{} patches drawn, {} visited, {} blocks; {} triangles of {} between patches",
+                  selection.drawn.size(), selection.visited, counts.blocks, skirt_triangles,
+                  prepared.parameters.variant == Variant::Published ? "skirts" : "walls"));
   if (counts.unreachable > 0)
     surface.notes.push_back(fmt::format(
         "{} blocks of the finest level miss the tolerance in full detail: heights coded within "

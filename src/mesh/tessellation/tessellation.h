@@ -24,8 +24,8 @@ struct Prepared {
   std::shared_ptr<const patch_quadtree::PatchDecoder> decoder;  // of the container
   std::shared_ptr<const Bounds> bounds;
   std::shared_ptr<const BlockPieces> pieces;
-  std::shared_ptr<const ThinnedForetold> foretold;  // of the pieces
-  std::shared_ptr<const BlockPieces> truth_pieces;  // of blocks of 8, as the full detail has them
+  std::shared_ptr<const ThinnedForetold> foretold;    // of the pieces
+  std::shared_ptr<const BlockPieces> truth_pieces;    // of blocks of 8, as the full detail has them
   std::shared_ptr<const BlockGeometries> geometries;  // of blocks over their patch's samples
 
   const patch_quadtree::ContainerHeader& header() const { return container->header(); }

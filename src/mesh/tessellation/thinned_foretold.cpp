@@ -39,7 +39,9 @@ double ThinnedForetold::strips(std::span<const double> drawn_m, const TruthBelow
   return largest;
 }
 
-std::vector<double> ThinnedForetold::distances_m(const Grid<float>& heights_m) const {
+std::vector<double> ThinnedForetold::distances_m(const patch_quadtree::PatchLayout& layout,
+                                                 const patch_quadtree::PatchPlace& patch,
+                                                 const Grid<float>& heights_m) const {
   const int blocks = (heights_m.columns() - 3) / cells_;
   std::vector<double> distances, drawn_m;
   distances.reserve(static_cast<std::size_t>(blocks * blocks * (coarsest_ + 1)));
@@ -53,7 +55,11 @@ std::vector<double> ThinnedForetold::distances_m(const Grid<float>& heights_m) c
           has_void = has_void || std::isnan(drawn_m.back());
         }
       }
-      if (has_void) {
+      const bool beyond =
+          layout.sample_column(patch, i * cells_) ==
+              layout.sample_column(patch, (i + 1) * cells_) ||
+          layout.sample_row(patch, j * cells_) == layout.sample_row(patch, (j + 1) * cells_);
+      if (has_void || beyond) {
         distances.insert(distances.end(), static_cast<std::size_t>(coarsest_) + 1, -1.0);
         continue;
       }

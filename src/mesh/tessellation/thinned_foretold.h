@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/grid.h"
+#include "mesh/patch_quadtree/patch_layout.h"
 #include "mesh/tessellation/block_pieces.h"
 #include "mesh/tessellation/piece_deviation.h"
 
@@ -19,8 +20,11 @@ class ThinnedForetold {
   explicit ThinnedForetold(const BlockPieces& pieces);
 
   /// Of every block, row by row: `levels` distances in metres, the first zero; -1 for all of a
-  /// block that has a void. heights_m: (n + 3)^2, as decoded.
-  std::vector<double> distances_m(const Grid<float>& heights_m) const;
+  /// block that has a void or lies beyond the terrain. heights_m: (n + 3)^2 of the patch, as
+  /// decoded.
+  std::vector<double> distances_m(const patch_quadtree::PatchLayout& layout,
+                                  const patch_quadtree::PatchPlace& patch,
+                                  const Grid<float>& heights_m) const;
 
  private:
   double strips(std::span<const double> drawn_m, const TruthBelow& own, int inside,

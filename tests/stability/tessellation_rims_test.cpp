@@ -1,4 +1,5 @@
-// What the conservative rules of tessellation promise and do not keep yet.
+// Where the conservative rules of tessellation are easily broken: rims of patches, of voids and of
+// the terrain, and tolerances out of reach.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -34,7 +35,7 @@ terrain::Heightfield plain_with_void(int void_i, int void_j) {
 
 // At full detail a block of 16 cells has other diagonals than the truth's blocks of 8, so beside a
 // void other halves of cells exist.
-TEST(TessellationOpen, LargeBlocksHaveTheOutlineOfTheTruthAroundVoids) {
+TEST(TessellationRims, LargeBlocksHaveTheOutlineOfTheTruthAroundVoids) {
   for (const int void_i : {5, 6}) {
     const AuditResult result = look(plain_with_void(void_i, 1), tessellation_with(0.01, 16, 16),
                                     view({40, 20, 100}, {40, 20, 0}), {1.0, Unit::Pixel});
@@ -45,7 +46,7 @@ TEST(TessellationOpen, LargeBlocksHaveTheOutlineOfTheTruthAroundVoids) {
 
 // Two samples of 20 m at the ends of a diagonal that the truth does not have: 20 m between the
 // samples, in a block whose bound is that of samples alone since there is a void in it.
-TEST(TessellationOpen, LargeBlocksWithAVoidKeepTheirBoundBetweenTheSamples) {
+TEST(TessellationRims, LargeBlocksWithAVoidKeepTheirBoundBetweenTheSamples) {
   terrain::Heightfield field = plain_with_void(0, 3);
   field.heights_m.floats()(5, 1) = field.heights_m.floats()(6, 2) = 20.0f;
   const AuditResult result = look(field, tessellation_with(0.01, 16, 16),
@@ -56,7 +57,7 @@ TEST(TessellationOpen, LargeBlocksWithAVoidKeepTheirBoundBetweenTheSamples) {
 
 // The eye is below the rim before it. A skirt hangs by what both patches may stray, and is seen
 // whole.
-TEST(TessellationOpen, SkirtsStayWithinTheToleranceFromBelow) {
+TEST(TessellationRims, SkirtsStayWithinTheToleranceFromBelow) {
   const AuditResult result =
       look(test_support::rough_terrain(33, 33, 1), tessellation_with(0.01, 8),
            view({160, -30, 20}, {160, 160, 30}), {2.0, Unit::Pixel});
@@ -65,7 +66,7 @@ TEST(TessellationOpen, SkirtsStayWithinTheToleranceFromBelow) {
 }
 
 // What is out of reach moves silhouettes by more than was asked for.
-TEST(TessellationOpen, CoverageHoldsWhereTheToleranceIsOutOfReach) {
+TEST(TessellationRims, CoverageHoldsWhereTheToleranceIsOutOfReach) {
   const terrain::Heightfield field = test_support::rough_terrain(65, 65, 5, 20.0);
   const Camera camera = view({300, -200, 300}, {320, 320, 0});
   const DrawnSurface surface =
@@ -79,7 +80,7 @@ TEST(TessellationOpen, CoverageHoldsWhereTheToleranceIsOutOfReach) {
 
 // Linear across patches of levels far apart: no wall is there to close what rounding opens at a
 // T-junction.
-TEST(TessellationOpen, NoPixelIsLostAtATJunctionWithoutAWall) {
+TEST(TessellationRims, NoPixelIsLostAtATJunctionWithoutAWall) {
   const terrain::Heightfield rough = test_support::rough_terrain(257, 257, 8, 60.0);
   terrain::Heightfield field = rough;
   for (int j = 0; j < 257; ++j)
