@@ -172,13 +172,19 @@ TEST(Decode, TellsDamageInOneLine) {
   const std::string file = folder.file("t.plumb"), harmed = folder.file("harmed.plumb");
   json_of(build(file));
   const std::string whole = bytes_of(file);
-  for (const std::size_t at :
-       {std::size_t{0}, std::size_t{9}, std::size_t{30}, whole.size() / 2, whole.size() - 1}) {
+  const auto harm = [&](std::size_t at) {
     std::string bytes = whole;
     bytes[at] = static_cast<char>(bytes[at] ^ 4);
     write(harmed, bytes);
+  };
+  for (const std::size_t at : {std::size_t{0}, std::size_t{9}, std::size_t{30}, whole.size() / 2}) {
+    harm(at);
     expect_one_line(run_plumb({"decode", harmed, "-o", folder.file("t.tif")}), harmed);
   }
+  harm(whole.size() - 1);  // of the bounds, which only drawing reads
+  expect_one_line(run_plumb({"render", kTerrain, "--method", "tessellation", "--prepared", harmed,
+                             "-o", folder.file("t.png")}),
+                  harmed);
   write(harmed, whole.substr(0, whole.size() - 1));
   expect_one_line(run_plumb({"decode", harmed, "-o", folder.file("t.tif")}), harmed);
   expect_one_line(run_plumb({"info", harmed}), harmed);
@@ -226,7 +232,8 @@ TEST(Info, TellsWhatIsInACodedTerrainOfAnyName) {
     records += level.at("payload_bytes").get<std::int64_t>();
   }
   EXPECT_LT(records, info.at("bytes").get<std::int64_t>() - 24 - 8 * 79);
-  EXPECT_GT(records, info.at("bytes").get<std::int64_t>() - 24 - 8 * 79 - 400);  // and its texts
+  // And its texts, and the parameters: 25 contexts of 16 frequencies of at most two bytes.
+  EXPECT_GT(records, info.at("bytes").get<std::int64_t>() - 24 - 8 * 79 - 400 - 25 * 32 - 16);
   EXPECT_NE(run_plumb({"info", file}).out.find("at most 1 m"), std::string::npos);
   expect_one_line(run_plumb({"info", file, "--band", "2"}), "coded terrain");
 }
