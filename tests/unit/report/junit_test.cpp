@@ -21,7 +21,8 @@ JUnitSuite three_outcomes() {
 
 // All that XML has a mind about, and bytes that are no text at all.
 JUnitSuite hostile() {
-  const std::string text = std::string("<&>\"' ]]> \x01\x1f\x7f\xff\xc0\x80\n\tend\0", 24);
+  constexpr char kText[] = "<&>\"' ]]> \x01\x1f\x7f\xff\xc0\x80\n\tend\0";
+  const std::string text(kText, sizeof kText - 1);  // the zero byte is part of it
   return {text, {{text, text, JUnitFailure{text, text}}, {text, text, {}, text}}};
 }
 
