@@ -73,32 +73,36 @@ void ChildSamples::repeat_rim_of_centres() {
   }
 }
 
-Grid<std::int32_t> ChildSamples::joined() const {
-  Grid<std::int32_t> patch(n + 3, n + 3);
-  for (int j = -1; j <= n + 1; ++j) {
+namespace {
+
+// visit(i + 1, j + 1, the sample's number, whether it is the parent's) for every sample.
+template <class Samples, class Visit>
+void for_each_sample(Samples& samples, const Visit& visit) {
+  for (int j = -1; j <= samples.n + 1; ++j) {
     const bool odd_j = (j & 1) != 0;
     const int b = (j >> 1) + kOff;
-    for (int i = -1; i <= n + 1; ++i) {
-      const int a = (i >> 1) + kOff;
+    for (int i = -1; i <= samples.n + 1; ++i) {
       const bool odd_i = (i & 1) != 0;
-      patch(i + 1, j + 1) =
-          odd_i ? (odd_j ? centre(a, b) : across(a, b)) : (odd_j ? up(a, b) : known(a, b));
+      auto& grid =
+          odd_i ? (odd_j ? samples.centre : samples.across) : (odd_j ? samples.up : samples.known);
+      visit(i + 1, j + 1, grid((i >> 1) + kOff, b), !odd_i && !odd_j);
     }
   }
+}
+
+}  // namespace
+
+Grid<std::int32_t> ChildSamples::joined() const {
+  Grid<std::int32_t> patch(n + 3, n + 3);
+  for_each_sample(*this,
+                  [&](int x, int y, const std::int32_t& number, bool) { patch(x, y) = number; });
   return patch;
 }
 
 void ChildSamples::split(const Grid<std::int32_t>& patch) {
-  for (int j = -1; j <= n + 1; ++j) {
-    const bool odd_j = (j & 1) != 0;
-    const int b = (j >> 1) + kOff;
-    for (int i = -1; i <= n + 1; ++i) {
-      const int a = (i >> 1) + kOff;
-      const bool odd_i = (i & 1) != 0;
-      if (!odd_i && !odd_j) continue;
-      (odd_i ? (odd_j ? centre : across) : up)(a, b) = patch(i + 1, j + 1);
-    }
-  }
+  for_each_sample(*this, [&](int x, int y, std::int32_t& number, bool is_known) {
+    if (!is_known) number = patch(x, y);
+  });
 }
 
 void foretell_centres(const ChildSamples& samples, int b, Foretold& row) {

@@ -40,6 +40,14 @@ inline void put_text(const std::string& text, const char* what, Bytes& bytes) {
   put_bytes({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, what, bytes);
 }
 
+/// The number again, zero beyond the end.
+template <class T>
+T take(ByteReader& reader) {
+  WordOf<T> word = 0;
+  for (std::size_t k = 0; k < sizeof(T); ++k) word |= WordOf<T>{reader.byte()} << (8 * k);
+  return std::bit_cast<T>(word);
+}
+
 /// Reads the same again; what is beyond the end reads as zeros, or as nothing, and is remembered.
 class LittleEndianReader {
  public:
@@ -47,9 +55,7 @@ class LittleEndianReader {
 
   template <class T>
   T take() {
-    WordOf<T> word = 0;
-    for (std::size_t k = 0; k < sizeof(T); ++k) word |= WordOf<T>{reader_.byte()} << (8 * k);
-    return std::bit_cast<T>(word);
+    return patch_quadtree::take<T>(reader_);
   }
   Bytes bytes() {
     const auto part = reader_.bytes(take<std::uint32_t>());

@@ -32,18 +32,6 @@ std::int64_t area(const Place& a, const Place& b, const Place& c) {
   return (b.column - a.column) * (c.row - a.row) - (c.column - a.column) * (b.row - a.row);
 }
 
-// Places along one side of a block, relative to its corner: no farther than `end`.
-std::vector<int> places_along(int cells, int level, std::int64_t end) {
-  std::vector<int> places;
-  for (int k = 0; k <= cells; ++k)
-    places.push_back(static_cast<int>(std::min(std::int64_t{k} << level, end)));
-  return places;
-}
-
-BlockPlaces full_places(int cells) {
-  return {places_along(cells, 0, cells), places_along(cells, 0, cells)};
-}
-
 }  // namespace
 
 BlockGeometry::BlockGeometry(const BlockPieces& pieces, const BlockPlaces& places)
@@ -225,30 +213,22 @@ double BlockGeometry::drawn_error_m(const BlockLevels& levels,
 }
 
 BlockGeometries::BlockGeometries(const BlockPieces& pieces, const PatchLayout& layout)
-    : layout_(layout), cells_(pieces.block_cells()), inner_(pieces, full_places(cells_)) {
-  clipped_.resize(3 * static_cast<std::size_t>(layout.levels));
-  parallel_for(static_cast<std::int64_t>(clipped_.size()), 1, [&](std::int64_t k) {
-    const int level = static_cast<int>(k / 3);
-    const bool narrower = k % 3 != 1, lower = k % 3 != 0;
-    const std::int64_t full = std::int64_t{cells_} << level;
-    const std::int64_t across = (layout.columns - 1) % full, up = (layout.rows - 1) % full;
-    if ((narrower && across == 0) || (lower && up == 0)) return;
-    clipped_[static_cast<std::size_t>(k)].emplace_back(
-        pieces, BlockPlaces{places_along(cells_, level, narrower ? across : full),
-                            places_along(cells_, level, lower ? up : full)});
+    : layout_(layout), cells_(pieces.block_cells()), whole_(pieces, even_places(cells_)) {
+  cut_off_.resize(kBlockShapes * static_cast<std::size_t>(layout.levels));
+  parallel_for(static_cast<std::int64_t>(cut_off_.size()), 1, [&](std::int64_t k) {
+    const auto shape = static_cast<std::size_t>(k) % kBlockShapes;
+    const int level = static_cast<int>(static_cast<std::size_t>(k) / kBlockShapes);
+    if (shape == 0) return;
+    if (const auto places = places_of_shape(layout, level, cells_, shape))
+      cut_off_[static_cast<std::size_t>(k)].emplace(pieces, *places);
   });
 }
 
 const BlockGeometry* BlockGeometries::of(const PatchPlace& patch, int i, int j) const {
-  const int across = layout_.sample_column(patch, (i + 1) * cells_) -
-                     layout_.sample_column(patch, i * cells_),
-            up =
-                layout_.sample_row(patch, (j + 1) * cells_) - layout_.sample_row(patch, j * cells_);
-  if (across == 0 || up == 0) return nullptr;
-  const std::int64_t full = std::int64_t{cells_} << patch.level;
-  if (across == full && up == full) return &inner_;
-  const int kind = up == full ? 0 : across == full ? 1 : 2;
-  return &clipped_[static_cast<std::size_t>(3 * patch.level + kind)].front();
+  const auto shape = shape_of(layout_, patch, cells_, i, j);
+  if (!shape) return nullptr;
+  if (*shape == 0) return &whole_;
+  return &*cut_off_[kBlockShapes * static_cast<std::size_t>(patch.level) + *shape];
 }
 
 }  // namespace plumb::mesh::tessellation

@@ -4,12 +4,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "mesh/patch_quadtree/patch_layout.h"
 #include "mesh/tessellation/block_pieces.h"
-#include "mesh/tessellation/piece_deviation.h"
+#include "mesh/tessellation/block_shapes.h"
 
 namespace plumb::mesh::tessellation {
 
@@ -89,9 +90,8 @@ class BlockGeometries {
  private:
   patch_quadtree::PatchLayout layout_;
   int cells_;
-  BlockGeometry inner_;
-  // Level by level, three each: narrower, lower, both; those that no block has are left empty.
-  std::vector<std::vector<BlockGeometry>> clipped_;
+  BlockGeometry whole_;
+  std::vector<std::optional<BlockGeometry>> cut_off_;  // shapes of level 0, then of level 1, ...
 };
 
 }  // namespace plumb::mesh::tessellation

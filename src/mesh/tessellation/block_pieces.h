@@ -7,6 +7,9 @@
 
 namespace plumb::mesh::tessellation {
 
+/// Cells along a block of the full-detail surface, whose diagonals are those of `blocks:8`.
+inline constexpr int kTruthBlockCells = 8;
+
 /// A sample of a block, (i, j) in [0, block_cells] from its south-west corner.
 struct BlockPoint {
   std::uint8_t i = 0, j = 0;

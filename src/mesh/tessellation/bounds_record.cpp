@@ -1,9 +1,10 @@
 #include "mesh/tessellation/bounds_record.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdlib>
+
+#include "mesh/patch_quadtree/little_endian.h"
 
 namespace plumb::mesh::tessellation {
 
@@ -24,16 +25,6 @@ constexpr int kLowBits = 2;
 constexpr std::uint32_t kEscape = patch_quadtree::kRansSymbols - 1;
 // Of full detail: upper bits by liveliness, lower bits. Then thinnings, kRatios each.
 constexpr std::size_t kLowContext = kLiveliness, kFirstThinned = kLiveliness + 1;
-
-void put_float(float value, Bytes& bytes) {
-  const auto word = std::bit_cast<std::uint32_t>(value);
-  for (int k = 0; k < 32; k += 8) bytes.push_back(static_cast<std::uint8_t>(word >> k));
-}
-float take_float(ByteReader& reader) {
-  std::uint32_t word = 0;
-  for (int k = 0; k < 32; k += 8) word |= std::uint32_t{reader.byte()} << k;
-  return std::bit_cast<float>(word);
-}
 
 struct Foretold {
   int code;
@@ -186,10 +177,10 @@ Bytes encode_bounds(const PatchBounds& bounds, const ForetoldBounds& foretold,
                     std::span<const RansTable> tables) {
   Bytes bytes;
   bytes.push_back(bounds.is_void() ? 0 : 1);
-  put_float(bounds.published_m, bytes);
+  patch_quadtree::put(bounds.published_m, bytes);
   if (bounds.is_void()) return bytes;
-  put_float(bounds.low_m, bytes);
-  put_float(bounds.high_m, bytes);
+  patch_quadtree::put(bounds.low_m, bytes);
+  patch_quadtree::put(bounds.high_m, bytes);
   SymbolWriter full(tables), thinned(tables);
   const auto into = [](SymbolWriter& writer) {
     return [&writer](std::size_t context, std::uint32_t symbol) { writer.put(context, symbol); };
@@ -212,11 +203,11 @@ bool decode_bounds(std::span<const std::uint8_t> bytes, int blocks, int levels,
   bounds = {};
   bounds.blocks = blocks;
   bounds.levels = levels;
-  bounds.published_m = take_float(reader);
+  bounds.published_m = patch_quadtree::take<float>(reader);
   if (kind > 1 || !(bounds.published_m >= 0.0f)) return false;
   if (kind == 0) return !reader.overrun() && reader.rest().empty();
-  bounds.low_m = take_float(reader);
-  bounds.high_m = take_float(reader);
+  bounds.low_m = patch_quadtree::take<float>(reader);
+  bounds.high_m = patch_quadtree::take<float>(reader);
   if (!std::isfinite(bounds.low_m) || !std::isfinite(bounds.high_m) || bounds.low_m > bounds.high_m)
     return false;
   SymbolReader symbols(reader.bytes(reader.number()), tables);

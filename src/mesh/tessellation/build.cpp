@@ -6,6 +6,7 @@
 
 #include "core/check.h"
 #include "core/parallel.h"
+#include "mesh/patch_quadtree/little_endian.h"
 #include "mesh/tessellation/bounds_record.h"
 #include "mesh/tessellation/published_error.h"
 
@@ -25,22 +26,10 @@ using patch_quadtree::RansTable;
 namespace {
 
 // Codes reach from the whole relief down by 2^-31 of it.
-BoundScale scale_for(const Grid<float>& heights_m, double error_m) {
-  const auto [low, high] = parallel_ordered_reduce(
-      heights_m.rows(), 64, std::pair<double, double>{0.0, 0.0},
-      [&](std::int64_t begin, std::int64_t end, std::pair<double, double> range) {
-        for (std::int64_t j = begin; j < end; ++j) {
-          for (const float height : heights_m.row(static_cast<int>(j))) {
-            if (height < range.first) range.first = height;
-            if (height > range.second) range.second = height;
-          }
-        }
-        return range;
-      },
-      [](auto a, const auto& b) {
-        return std::pair{std::min(a.first, b.first), std::max(a.second, b.second)};
-      });
-  return {std::ldexp(high - low + 4.0 * error_m, -31)};
+BoundScale scale_for(const terrain::Heightfield& field, double error_m) {
+  Box box = terrain::bounds(field);
+  box.add(glm::dvec3(0.0));
+  return {std::ldexp(box.high.z - box.low.z + 4.0 * error_m, -31)};
 }
 
 // All patches' bounds, from heights as they will be decoded, and what foretells them.
@@ -78,8 +67,7 @@ Bytes parameter_bytes(int block_cells, const BoundScale& scale,
                       const std::vector<RansCounts>& counts) {
   Bytes bytes;
   patch_quadtree::put_number(static_cast<std::uint64_t>(block_cells), bytes);
-  const auto word = std::bit_cast<std::uint64_t>(scale.unit_m);
-  for (int k = 0; k < 64; k += 8) bytes.push_back(static_cast<std::uint8_t>(word >> k));
+  patch_quadtree::put(scale.unit_m, bytes);
   patch_quadtree::put_part(patch_quadtree::rans_model_bytes(counts), bytes);
   return bytes;
 }
@@ -97,9 +85,7 @@ Parameters parameters_of(const ContainerHeader& header, const std::string& named
   ByteReader reader(header.parameters);
   Parameters parameters;
   const std::uint64_t cells = reader.number();
-  std::uint64_t word = 0;
-  for (int k = 0; k < 64; k += 8) word |= std::uint64_t{reader.byte()} << k;
-  parameters.scale.unit_m = std::bit_cast<double>(word);
+  parameters.scale.unit_m = patch_quadtree::take<double>(reader);
   const auto models = reader.bytes(reader.number());
   const bool fits = cells >= 8 && cells <= 64 && std::has_single_bit(cells) &&
                     cells <= static_cast<std::uint64_t>(header.layout.patch_cells) &&
@@ -128,7 +114,7 @@ Bytes build(const terrain::Heightfield& field, const BuildOptions& options) {
   header.payload = Payload::Tessellation;
   const terrain::FloatHeights floats(field.heights_m);
   const Grid<float>& heights_m = *floats;
-  const BoundScale scale = scale_for(heights_m, options.heights.error_m);
+  const BoundScale scale = scale_for(field, options.heights.error_m);
   const Measured measured = measured_bounds(field.heights_m, heights_m, header, pieces, scale);
   const auto foretold = [&](std::size_t k) {
     return ForetoldBounds{measured.distances_m[k], scale};

@@ -36,23 +36,10 @@ std::uint8_t PatchBounds::error_code() const {
 BoundsOfLevel::BoundsOfLevel(const Grid<float>& heights_m, const PatchLayout& layout, int level,
                              const BlockPieces& pieces, const BoundScale& scale)
     : heights_m_(heights_m), layout_(layout), level_(level), pieces_(pieces), scale_(scale) {
-  BlockPlaces places;
-  for (int k = 0; k <= pieces.block_cells(); ++k) places.column.push_back(k << level);
-  places.row = places.column;
-  inner_ = geometry_of(places);
-}
-
-BoundsOfLevel::Geometry BoundsOfLevel::geometry_of(const BlockPlaces& places) const {
-  Geometry geometry;
-  for (int inside = 0; inside < pieces_.coarsest(); ++inside) {
-    geometry.interior.emplace_back(pieces_.interior(inside), places);
-    for (std::size_t side = 0; side < 4; ++side) {
-      for (int along = 0; along <= pieces_.coarsest(); ++along)
-        geometry.strips.emplace_back(pieces_.strip(inside, side, along), places);
-    }
+  for (std::size_t shape = 0; shape < kBlockShapes; ++shape) {
+    if (const auto places = places_of_shape(layout, level, pieces.block_cells(), shape))
+      shapes_[shape].emplace(pieces, *places);
   }
-  geometry.whole.emplace_back(pieces_.whole(), places);
-  return geometry;
 }
 
 BlockPlaces BoundsOfLevel::places_of(const PatchPlace& patch, int i, int j) const {
@@ -97,34 +84,13 @@ double BoundsOfLevel::error_of_samples(const BlockPlaces& places,
   return largest;
 }
 
-void BoundsOfLevel::measure(const Geometry& geometry, const std::vector<double>& drawn_m,
+void BoundsOfLevel::measure(const MixtureDeviation& blocks, const std::vector<double>& drawn_m,
                             const TruthBelow& truth, std::uint8_t* codes) const {
-  const int coarsest = pieces_.coarsest();
   double magnitude = 0.0;
   for (const double height : drawn_m) magnitude = std::max(magnitude, std::abs(height));
-  const auto code = [&](double deviation) {
-    return scale_.code(deviation > 0.0 ? deviation + kRounding * magnitude : 0.0);
-  };
-  const auto strips_of = [&](int inside, int along) {
-    double largest = 0.0;
-    for (int side = 0; side < 4; ++side) {
-      largest = std::max(
-          largest,
-          geometry.strips[static_cast<std::size_t>((inside * 4 + side) * (coarsest + 1) + along)]
-              .deviation(drawn_m, truth));
-    }
-    return largest;
-  };
-  double largest = 0.0;
-  for (int inside = 0; inside < coarsest; ++inside) {
-    largest = geometry.interior[static_cast<std::size_t>(inside)].deviation(drawn_m, truth);
-    for (int along = 0; along <= inside; ++along)
-      largest = std::max(largest, strips_of(inside, along));
-    codes[inside] = code(largest);
-  }
-  largest = std::max({largest, strips_of(coarsest - 1, coarsest),
-                      geometry.whole.front().deviation(drawn_m, truth)});
-  codes[coarsest] = code(largest);
+  blocks.for_each_thinning(0, drawn_m, truth, [&](int thinning, double deviation) {
+    codes[thinning] = scale_.code(deviation > 0.0 ? deviation + kRounding * magnitude : 0.0);
+  });
 }
 
 PatchBounds BoundsOfLevel::bounds(const PatchPlace& patch, const Grid<float>& decoded_m) const {
@@ -139,10 +105,9 @@ PatchBounds BoundsOfLevel::bounds(const PatchPlace& patch, const Grid<float>& de
   std::uint8_t* at = codes.data();
   for (int j = 0; j < bounds.blocks; ++j) {
     for (int i = 0; i < bounds.blocks; ++i, at += levels) {
+      const auto shape = shape_of(layout_, patch, cells, i, j);
+      if (!shape) continue;
       const BlockPlaces places = places_of(patch, i, j);
-      const int across = places.column.back() - places.column.front(),
-                up = places.row.back() - places.row.front();
-      if (across == 0 || up == 0) continue;  // beyond the terrain
       const Beneath found = beneath(places);
       if (!found.some_height) continue;
       const bool first = bounds.low_m > bounds.high_m;
@@ -156,8 +121,7 @@ PatchBounds BoundsOfLevel::bounds(const PatchPlace& patch, const Grid<float>& de
       }
       const TruthBelow truth{&heights_m_(places.column.front(), places.row.front()),
                              heights_m_.columns()};
-      const bool is_inner = across == cells << level_ && up == cells << level_;
-      measure(is_inner ? inner_ : geometry_of(places), drawn_m, truth, at);
+      measure(*shapes_[*shape], drawn_m, truth, at);
     }
   }
   if (bounds.low_m <= bounds.high_m) bounds.codes = std::move(codes);

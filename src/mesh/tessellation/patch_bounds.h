@@ -1,7 +1,9 @@
 // How far a patch and each of its blocks lie from the full detail when drawn thinned.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/grid.h"
@@ -9,7 +11,7 @@
 #include "mesh/patch_quadtree/patch_numbers.h"
 #include "mesh/tessellation/block_pieces.h"
 #include "mesh/tessellation/bound_scale.h"
-#include "mesh/tessellation/piece_deviation.h"
+#include "mesh/tessellation/mixture_deviation.h"
 
 namespace plumb::mesh::tessellation {
 
@@ -49,19 +51,14 @@ class BoundsOfLevel {
   PatchBounds bounds(const patch_quadtree::PatchPlace& patch, const Grid<float>& decoded_m) const;
 
  private:
-  struct Geometry {
-    std::vector<PieceGeometry> interior, strips;  // in the order of BlockPieces
-    std::vector<PieceGeometry> whole;             // one
-  };
   struct Beneath {
     float low_m, high_m;
     bool some_void, some_height;
   };
 
   BlockPlaces places_of(const patch_quadtree::PatchPlace& patch, int i, int j) const;
-  Geometry geometry_of(const BlockPlaces& places) const;
   Beneath beneath(const BlockPlaces& places) const;
-  void measure(const Geometry& geometry, const std::vector<double>& drawn_m,
+  void measure(const MixtureDeviation& blocks, const std::vector<double>& drawn_m,
                const TruthBelow& truth, std::uint8_t* codes) const;
   double error_of_samples(const BlockPlaces& places, const std::vector<double>& drawn_m) const;
 
@@ -70,7 +67,7 @@ class BoundsOfLevel {
   int level_;
   const BlockPieces& pieces_;
   BoundScale scale_;
-  Geometry inner_;  // of a block whose places are all within the terrain
+  std::array<std::optional<MixtureDeviation>, kBlockShapes> shapes_;
 };
 
 }  // namespace plumb::mesh::tessellation

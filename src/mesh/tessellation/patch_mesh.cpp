@@ -73,8 +73,6 @@ class Emitter {
   PatchMesh mesh_;
 };
 
-constexpr int kTruthBlock = 8;  // diagonals of the truth are those of `blocks:8`
-
 bool has_void(const Grid<float>& heights_m, int first_i, int first_j, int cells) {
   for (int j = first_j; j <= first_j + cells; ++j) {
     for (int i = first_i; i <= first_i + cells; ++i)
@@ -86,8 +84,8 @@ bool has_void(const Grid<float>& heights_m, int first_i, int first_j, int cells)
 // A block as the truth is, whatever its size.
 void add_full_detail(const Prepared& prepared, int first_i, int first_j, Emitter& emitter) {
   const int cells = prepared.pieces->block_cells();
-  for (int j = 0; j < cells; j += kTruthBlock) {
-    for (int i = 0; i < cells; i += kTruthBlock) {
+  for (int j = 0; j < cells; j += kTruthBlockCells) {
+    for (int i = 0; i < cells; i += kTruthBlockCells) {
       prepared.truth_pieces->for_each_piece(BlockLevels{},
                                             [&](const std::vector<BlockTriangle>& triangles) {
                                               for (const BlockTriangle& triangle : triangles)
@@ -106,7 +104,8 @@ PatchMesh mesh_of_patch(const Prepared& prepared, const patch_quadtree::PatchPla
   for (int j = 0; j < levels.levels.rows(); ++j) {
     for (int i = 0; i < levels.levels.columns(); ++i) {
       const BlockLevels& block = levels.levels(i, j);
-      const bool amid_voids = patch.level == 0 && cells > kTruthBlock && block == BlockLevels{} &&
+      const bool amid_voids = patch.level == 0 && cells > kTruthBlockCells &&
+                              block == BlockLevels{} &&
                               has_void(heights_m, i * cells, j * cells, cells);
       if (amid_voids) {
         add_full_detail(prepared, i * cells, j * cells, emitter);

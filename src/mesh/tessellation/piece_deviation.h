@@ -8,16 +8,9 @@
 #include <vector>
 
 #include "mesh/tessellation/block_pieces.h"
+#include "mesh/tessellation/block_shapes.h"
 
 namespace plumb::mesh::tessellation {
-
-/// Where the samples of a block stand: block_cells + 1 columns from its western side on, as many
-/// rows from its southern; never falling. Places beyond the terrain are its last.
-struct BlockPlaces {
-  std::vector<int> column, row;
-
-  friend bool operator==(const BlockPlaces&, const BlockPlaces&) = default;
-};
 
 /// The full-detail heights beneath a block: sample (i, j) from its south-west corner at
 /// first[j stride + i].
@@ -34,7 +27,7 @@ class PieceGeometry {
   /// The truth's diagonals point to the centres of blocks of `truth_block` cells, a power of two,
   /// the first of which begins where this block does: of `blocks:8`, 8.
   PieceGeometry(const std::vector<BlockTriangle>& triangles, const BlockPlaces& places,
-                int truth_block = 8);
+                int truth_block = kTruthBlockCells);
 
   /// The largest |drawn - truth|, metres, but for rounding (a few times 1e-16 of the heights);
   /// drawn_m holds (block_cells + 1)^2 heights row by row. Where a height is NaN nothing is

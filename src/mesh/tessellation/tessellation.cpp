@@ -232,7 +232,7 @@ Prepared prepared_from(std::shared_ptr<const Container> container, Parameters pa
   prepared.bounds = std::make_shared<const Bounds>(read_bounds(*prepared.container));
   prepared.pieces = std::make_shared<const BlockPieces>(prepared.bounds->block_cells);
   prepared.foretold = std::make_shared<const ThinnedForetold>(*prepared.pieces);
-  prepared.truth_pieces = std::make_shared<const BlockPieces>(8);
+  prepared.truth_pieces = std::make_shared<const BlockPieces>(kTruthBlockCells);
   prepared.geometries =
       std::make_shared<const BlockGeometries>(*prepared.pieces, prepared.header().layout);
   parameters.error_m = prepared.header().error_m;

@@ -7,7 +7,7 @@
 #include "core/grid.h"
 #include "mesh/patch_quadtree/patch_layout.h"
 #include "mesh/tessellation/block_pieces.h"
-#include "mesh/tessellation/piece_deviation.h"
+#include "mesh/tessellation/mixture_deviation.h"
 
 namespace plumb::mesh::tessellation {
 
@@ -27,12 +27,8 @@ class ThinnedForetold {
                                   const Grid<float>& heights_m) const;
 
  private:
-  double strips(std::span<const double> drawn_m, const TruthBelow& own, int inside,
-                int along) const;
-
   int cells_, coarsest_;
-  std::vector<PieceGeometry> interior_, strips_;
-  PieceGeometry whole_;
+  MixtureDeviation block_;
 };
 
 }  // namespace plumb::mesh::tessellation
