@@ -9,11 +9,9 @@
 namespace plumb::terrain {
 namespace {
 
-// The highest float that lies in the field.
-float highest(const StackField& field) {
-  const double high_m = field.high_m();
-  const auto rounded = static_cast<float>(high_m);
-  return double{rounded} <= high_m
+float rounded_down(double value) {
+  const auto rounded = static_cast<float>(value);
+  return static_cast<double>(rounded) <= value
              ? rounded
              : std::nextafter(rounded, -std::numeric_limits<float>::infinity());
 }
@@ -31,6 +29,8 @@ StackView StackField::stack(int i, int j) const {
   return {low_m, std::span(end_m).subspan(first, count), std::span(material).subspan(first, count)};
 }
 
+float StackField::highest_m() const { return rounded_down(high_m()); }
+
 std::size_t StackField::bytes() const {
   return first_layer.size() * sizeof(std::uint32_t) + end_m.size() * sizeof(float) +
          material.size() * sizeof(Material) + holes.size();
@@ -44,26 +44,28 @@ StackWriter::StackWriter(StackField& field) : field_(field) {
   field.holes.clear();
 }
 
-void StackWriter::next() {
+void StackWriter::require_room() const {
   require(field_.first_layer.size() <= field_.size(), "a field of {} stacks takes no more of them",
           field_.size());
-  require(field_.end_m.size() < std::numeric_limits<std::uint32_t>::max(),
-          "a field has at most 2^32 - 1 layers");
+}
+
+void StackWriter::next() {
   field_.first_layer.push_back(static_cast<std::uint32_t>(field_.end_m.size()));
 }
 
+// `first` is the first layer of the stack that is being written.
+void StackWriter::put(std::size_t first, float end_m, Material material) {
+  if (field_.end_m.size() > first && field_.material.back() == material) {
+    field_.end_m.back() = end_m;
+  } else {
+    field_.end_m.push_back(end_m);
+    field_.material.push_back(material);
+  }
+}
+
 void StackWriter::add(std::span<const Layer> layers) {
-  const std::size_t first = field_.end_m.size();
-  const float high_m = highest(field_);
-  const auto put = [&](float end_m, Material material) {
-    if (field_.end_m.size() > first && field_.material.back() == material) {
-      field_.end_m.back() = end_m;
-    } else {
-      field_.end_m.push_back(end_m);
-      field_.material.push_back(material);
-    }
-  };
-  float reached_m = field_.low_m, before_m = -std::numeric_limits<float>::infinity();
+  require_room();
+  float before_m = -std::numeric_limits<float>::infinity();
   for (const Layer& layer : layers) {
     require(std::isfinite(layer.start_m) && std::isfinite(layer.end_m) &&
                 layer.start_m <= layer.end_m && layer.start_m >= before_m,
@@ -72,16 +74,26 @@ void StackWriter::add(std::span<const Layer> layers) {
     require(layer.material < field_.materials.size(), "material {} is not one of {}",
             layer.material, field_.materials.size());
     before_m = layer.end_m;
-    const float start_m = std::max(layer.start_m, reached_m), end_m = std::min(layer.end_m, high_m);
+  }
+  const std::size_t first = field_.end_m.size();
+  // Each layer may have air below it.
+  require(first + 2 * layers.size() <= std::numeric_limits<std::uint32_t>::max(),
+          "a field must have at most 2^32 - 1 layers");
+  const float highest_m = field_.highest_m();
+  float reached_m = field_.low_m;
+  for (const Layer& layer : layers) {
+    const float start_m = std::max(layer.start_m, reached_m);
+    const float end_m = std::min(layer.end_m, highest_m);
     if (layer.material == kAir || !(end_m > start_m)) continue;
-    if (start_m > reached_m) put(start_m, kAir);
-    put(end_m, layer.material);
+    if (start_m > reached_m) put(first, start_m, kAir);
+    put(first, end_m, layer.material);
     reached_m = end_m;
   }
   next();
 }
 
 void StackWriter::add_hole() {
+  require_room();
   if (field_.holes.empty()) field_.holes.assign(field_.size(), 0);
   next();
   field_.holes[field_.first_layer.size() - 2] = 1;
@@ -92,13 +104,33 @@ std::vector<Layer> layers_of(const StackField& field, int i, int j) {
   std::vector<Layer> layers;
   for (std::size_t k = 0; k < stack.size(); ++k)
     layers.push_back({stack.start_m(k), stack.end_m[k], stack.material[k]});
-  const float high_m = highest(field);
+  const float high_m = field.highest_m();
   const float reached_m = layers.empty() ? field.low_m : layers.back().end_m;
   if (reached_m < high_m) layers.push_back({reached_m, high_m, kAir});
   return layers;
 }
 
+namespace {
+
+// A whole multiple of voxel_m, at least voxel_m below lowest_m, as a float.
+float low_for(double lowest_m, double voxel_m) {
+  double low_m = (std::floor(lowest_m / voxel_m) - 1.0) * voxel_m;
+  if (lowest_m - low_m < voxel_m) low_m -= voxel_m;  // the quotient was rounded up
+  return rounded_down(low_m);
+}
+
+int voxels_up_to(double highest_m, const StackField& field) {
+  const double voxels = std::floor((highest_m - field.low_m) / field.voxel_m) + 1.0;
+  if (!(voxels < 2147483647.0))
+    input_error("voxels of {} m are too low for a relief of {} m", field.voxel_m,
+                highest_m - field.low_m);
+  return static_cast<int>(voxels);
+}
+
+}  // namespace
+
 StackField stacks_of(const Heightfield& heights, double voxel_m) {
+  require(voxel_m >= 0.0 && std::isfinite(voxel_m), "voxel_m must be >= 0, got {}", voxel_m);
   const Box box = bounds(heights);
   if (box.empty()) input_error("a terrain without a height has no stacks");
   StackField field;
@@ -108,13 +140,8 @@ StackField stacks_of(const Heightfield& heights, double voxel_m) {
   field.dy_m = heights.dy_m;
   field.voxel_m = voxel_m > 0.0 ? voxel_m : 0.5 * (heights.dx_m + heights.dy_m);
   field.origin_m = heights.origin_m;
-  field.low_m = static_cast<float>((std::floor(box.low.z / field.voxel_m) - 1.0) * field.voxel_m);
-  const double voxels =
-      std::floor((box.high.z - static_cast<double>(field.low_m)) / field.voxel_m) + 1.0;
-  if (!(voxels < 2147483647.0))
-    input_error("voxels of {} m are too low for a relief of {} m", field.voxel_m,
-                box.high.z - box.low.z);
-  field.voxels = static_cast<int>(voxels);
+  field.low_m = low_for(box.low.z, field.voxel_m);
+  field.voxels = voxels_up_to(box.high.z, field);
   field.materials = {{"air", glm::dvec3(0.0)}, {"rock", glm::dvec3(0.42, 0.38, 0.33)}};
   field.provenance = heights.provenance;
   StackWriter writer(field);
@@ -193,6 +220,8 @@ void require_valid(const StackField& field) {
   require(std::isfinite(field.low_m) && std::isfinite(field.high_m()) &&
               std::isfinite(field.origin_m.x) && std::isfinite(field.origin_m.y),
           "heights and origin must be finite, got {} m", field.low_m);
+  require(field.low_m < field.highest_m(), "voxels of {} m up from {} m must reach the next float",
+          field.voxel_m, field.low_m);
   require(!field.materials.empty() && field.materials.size() <= 256,
           "a field must have 1 to 256 materials, got {}", field.materials.size());
   require(field.first_layer.size() == field.size() + 1 && field.first_layer.front() == 0 &&

@@ -65,6 +65,8 @@ struct StackField {
   Provenance provenance;
 
   double high_m() const { return static_cast<double>(low_m) + voxels * voxel_m; }
+  /// The highest float that is not above high_m(): the highest end that a layer may have.
+  float highest_m() const;
   std::size_t size() const {
     return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   }
@@ -95,11 +97,14 @@ class StackWriter {
   /// Layers from the bottom up; gaps are air. Layers without thickness are left out, equal
   /// neighbours joined, and what lies outside [low_m, high_m()] is cut off.
   /// Throws std::invalid_argument for a layer that ends below its start, overlaps the one before,
-  /// is not finite or of a material that the field does not have, or beyond the last stack.
+  /// is not finite or of a material that the field does not have, or beyond the last stack; the
+  /// field then is as it was.
   void add(std::span<const Layer> layers);
   void add_hole();
 
  private:
+  void require_room() const;
+  void put(std::size_t first, float end_m, Material material);
   void next();
 
   StackField& field_;
@@ -110,11 +115,12 @@ std::vector<Layer> layers_of(const StackField& field, int i, int j);
 
 /// A heightfield as stacks of one layer of rock; voids are holes.
 ///
-/// voxel_m  height of a voxel; 0: the mean of dx and dy, so that voxels are cubes where the grid is
-///          square
-/// returns  low_m lies one voxel or more below the lowest height, on a whole multiple of voxel_m,
-///          high_m() above the highest
-/// Throws InputError for a terrain without a height, or of more than 2^31 - 1 voxels up.
+/// voxel_m  height of a voxel, >= 0; 0: the mean of dx and dy, so that voxels are cubes where the
+///          grid is square
+/// returns  low_m lies one voxel or more below the lowest height, on a whole multiple of voxel_m
+///          (on the next float below it, where it is none), high_m() above the highest
+/// Throws InputError for a terrain without a height, or of more than 2^31 - 1 voxels up;
+/// std::invalid_argument for a voxel_m below zero or not finite.
 StackField stacks_of(const Heightfield& field, double voxel_m = 0.0);
 
 /// The end of each stack's highest layer, low_m where it is all air, NaN at holes; provenance says
