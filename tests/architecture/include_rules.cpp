@@ -28,7 +28,7 @@ const std::map<std::string, std::set<std::string>>& allowed_modules() {
 }
 
 // Folders of src/mesh that several methods share and that are no method.
-const std::set<std::string> kSharedByMethods{"patch_quadtree"};
+const std::set<std::string> kSharedByMethods{"dual_contouring", "patch_quadtree"};
 
 // A library of others: how its headers begin, and the modules whose .cpp files may know it.
 struct HeavyLibrary {
