@@ -34,12 +34,13 @@ void add_claims(const Prepared& prepared, const ViewTest& view, const LevelCount
   surface.claims.insert(surface.claims.begin(), claims.begin(), claims.end());
 }
 
-void add_notes(const Prepared& prepared, const PatchSelection& selection, const LevelCounts& counts,
-               std::int64_t skirt_triangles, DrawnSurface& surface) {
-  surface.notes.push_back(
-      fmt::format("{} patches drawn, {} visited, {} blocks; {} triangles of {} between patches",
-                  selection.drawn.size(), selection.visited, counts.blocks, skirt_triangles,
-                  prepared.parameters.variant == Variant::Published ? "skirts" : "walls"));
+void add_notes(const Prepared& prepared, const ViewTest& view, const PatchSelection& selection,
+               const LevelCounts& counts, std::int64_t skirt_triangles, DrawnSurface& surface) {
+  surface.notes.push_back(fmt::format(
+      "{} patches resident, {} in view, {} visited, {} blocks; {} triangles of {} between patches",
+      selection.drawn.size(), patches_in_view(prepared, view, selection), selection.visited,
+      counts.blocks, skirt_triangles,
+      prepared.parameters.variant == Variant::Published ? "skirts" : "walls"));
   if (counts.unreachable > 0)
     surface.notes.push_back(fmt::format(
         "{} blocks of the finest level miss the tolerance in full detail: heights coded within "
@@ -152,7 +153,7 @@ DrawnSurface draw(const Prepared& prepared, const Camera& camera, const Toleranc
   for (std::size_t k = 0; k < drawn.size(); ++k) joiner.add(k, drawn[k], rims[k]);
   DrawnSurface surface = joiner.take();
   add_claims(prepared, view, levels.counts, surface);
-  add_notes(prepared, selection, levels.counts, joiner.rim_triangles(), surface);
+  add_notes(prepared, view, selection, levels.counts, joiner.rim_triangles(), surface);
   surface.cost.nodes_visited = selection.visited;
   surface.cost.bytes_resident = bytes_resident(selection, prepared);
   surface.cost.bytes_encoded = prepared.container->file_bytes();
