@@ -100,9 +100,11 @@ TEST(ScatterChart, MarksItsLimitAndHasItOnTheAxis) {
   chart.x_axis = chart.y_axis = AxisKind::Linear;
   chart.points = {{1.0, 2.0, ""}};
   chart.limit = 4.0;
+  chart.limit_label = "< allowed";
   const std::string svg = to_svg(chart);
   EXPECT_TRUE(contains(svg, "<line class=\"same\" x1=\"84.0\" y1=\"48.0\" x2=\"616.0\""));
   EXPECT_TRUE(contains(svg, "cy=\"230.0\""));
+  EXPECT_TRUE(contains(svg, "<text x=\"90.0\" y=\"39.0\">&lt; allowed</text>"));
 }
 
 // 20 + 200 + 28 pixels, then 44 + 200 + 64 with texts above and below: and one row of the legend.
