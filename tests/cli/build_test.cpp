@@ -128,11 +128,31 @@ TEST(Decode, GivesCoarserLevels) {
   json_of({"decode", file, "-o", folder.file("0.tif")});
   const json decoded = json_of({"decode", file, "--level", "1", "-o", folder.file("1.tif")});
   EXPECT_EQ(decoded.at("columns"), 75);
+  EXPECT_EQ(decoded.at("left_out"), (json{{"columns", 1}, {"rows", 1}}));
   const Heightfield fine = terrain::load_terrain(folder.file("0.tif"), {}),
                     coarse = terrain::load_terrain(folder.file("1.tif"), {});
   EXPECT_EQ(worst(coarse, fine, 2), 0.0);
   EXPECT_EQ(coarse.dx_m, 2 * fine.dx_m);
   EXPECT_EQ(coarse.origin_m, fine.origin_m);
+}
+
+// At level 3 sample 144 is the last of nineteen on the grid, five before the terrain's; at level 0
+// all are on it. Of level 1 patch (4, 4) begins at sample 128; (3, 4) ends there, in the east
+// alone.
+TEST(Decode, SaysWhatACoarserLevelLeavesOut) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("t.plumb");
+  json_of(build(file, {"--patch-cells", "16"}));
+  const auto said = [&](const char* option, const char* part) {
+    const std::string out =
+        run_plumb({"decode", file, option, part, "-o", folder.file("p.tif")}).out;
+    const std::size_t at = out.find("left out  ");
+    return at == std::string::npos ? "" : out.substr(at + 10, out.find(", beyond") - at - 10);
+  };
+  EXPECT_EQ(said("--level", "3"), "5 of 150 columns in the east, 5 of 150 rows in the north");
+  EXPECT_EQ(said("--level", "0"), "");
+  EXPECT_EQ(said("--patch", "1,3,4"), "1 of 150 rows in the north");
+  EXPECT_EQ(said("--patch", "1,3,3"), "");
 }
 
 // Patch (2, 1) of 16 cells begins at sample (32, 16); the last one ends with the terrain: samples

@@ -148,7 +148,12 @@ TEST_F(GoldenPictures, AreMissedByName) {
   EXPECT_EQ(result.status, 1);
   EXPECT_TRUE(contains(result.out, "valley  missing")) << result.out;
   EXPECT_TRUE(contains(result.out, "ridge   same"));
-  EXPECT_TRUE(contains(result.out, "there is no picture of it in " + out().string()));
+  EXPECT_TRUE(contains(result.out, "there is no picture of it in " + out().string() +
+                                       ": let the program that draws it write " +
+                                       (out() / "valley.png").string() + " (or another format)"))
+      << result.out;
+  EXPECT_TRUE(
+      contains(result.out, "take the case out of " + (golden() / "manifest.toml").string()));
   EXPECT_FALSE(contains(result.out, "--accept"));  // there is nothing to accept
   EXPECT_EQ(run({"update", "valley", "--accept"}).status, 2);
   image::write_png(out() / "valley.png", drawn_);

@@ -1,6 +1,8 @@
 // plumb decode: heights out of a coded terrain.
 #include <fmt/format.h>
 
+#include <glm/vec2.hpp>
+
 #include <array>
 #include <bit>
 #include <chrono>
@@ -91,6 +93,20 @@ Grid<float> cut(const Grid<float>& grid, int i, int j, int columns, int rows) {
   return part;
 }
 
+// The terrain's last columns and rows that a part does not reach, though it ends where the level's
+// grid does: they stand between that grid's last sample and the terrain's.
+glm::ivec2 left_out(const PatchLayout& layout, const Part& part) {
+  glm::ivec2 counts{0, 0};
+  for (int axis = 0; axis < 2; ++axis) {
+    const int samples = axis == 0 ? layout.columns : layout.rows,
+              cells = on_grid(samples, part.level) - 1;
+    const auto ends_before = [&](int patch) { return (patch + 1) * layout.patch_cells <= cells; };
+    if (part.patch && ends_before(axis == 0 ? part.patch->px : part.patch->py)) continue;
+    counts[axis] = samples - 1 - (cells << part.level);
+  }
+  return counts;
+}
+
 // The part as a terrain of its own. A patch is without its margin, and of samples that lie on the
 // terrain.
 terrain::Heightfield decoded(const Container& container, const Part& part) {
@@ -169,6 +185,14 @@ std::int64_t voids_of(const terrain::Heightfield& field) {
   return count;
 }
 
+std::string left_out_text(const PatchLayout& layout, const glm::ivec2& counts) {
+  std::string text;
+  if (counts.x > 0) text = fmt::format("{} of {} columns in the east", counts.x, layout.columns);
+  if (counts.x > 0 && counts.y > 0) text += ", ";
+  if (counts.y > 0) text += fmt::format("{} of {} rows in the north", counts.y, layout.rows);
+  return text + ", beyond the last that stands on the level's grid";
+}
+
 std::string decode_text(const DecodeOptions& options, const Part& part,
                         const ContainerHeader& header, const terrain::Heightfield& field) {
   std::vector<std::vector<std::string>> rows{
@@ -181,6 +205,9 @@ std::string decode_text(const DecodeOptions& options, const Part& part,
       {"voids", std::to_string(voids_of(field))},
       {"error", fmt::format("at most {:g} m", header.promised_m(part.level))},
       {"file", options.output}};
+  const glm::ivec2 missing = left_out(header.layout, part);
+  if (missing != glm::ivec2(0))
+    rows.insert(rows.begin() + 3, {"left out", left_out_text(header.layout, missing)});
   return text_table({{"", false}, {"", false}}, rows);
 }
 
@@ -192,9 +219,11 @@ std::string decode_json(const DecodeOptions& options, const Part& part,
                               {"source", header.source},
                               {"level", part.level}};
   if (part.patch) json["patch"] = {part.patch->px, part.patch->py};
+  const glm::ivec2 missing = left_out(header.layout, part);
   json.update({{"file", options.output},
                {"columns", field.columns()},
                {"rows", field.rows()},
+               {"left_out", {{"columns", missing.x}, {"rows", missing.y}}},
                {"spacing_m", {field.dx_m, field.dy_m}},
                {"origin_m", {field.origin_m.x, field.origin_m.y}},
                {"crs", field.provenance.crs},
@@ -235,8 +264,11 @@ Command decode_command() {
   command.declare = [](Options& options) -> Action {
     const auto values = std::make_shared<DecodeOptions>();
     options.argument(values->file, "FILE", "What plumb build wrote");
-    options.integer(values->level, "--level", "N",
-                    "0, the finest, or a coarser one: every 2^N-th sample (0)", 0, 30);
+    options.integer(
+        values->level, "--level", "N",
+        "0, the finest, or a coarser one: every 2^N-th sample from the south-west, without "
+        "a last column or row that is none of them (0)",
+        0, 30);
     options.text(values->patch, "--patch", "LEVEL,PX,PY",
                  "One patch alone, by column and row of its level from the south-west");
     options.group("Output");

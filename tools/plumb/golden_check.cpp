@@ -23,6 +23,18 @@ void missing(GoldenCheck& check, const std::string& message) {
   check.message = message;
 }
 
+// What was looked for, and what to do: plumb cannot draw the picture, another program can.
+std::string no_picture_message(const GoldenManifest& manifest, const fs::path& folder,
+                               const std::string& name) {
+  const std::vector<fs::path> kept = manifest.references(name);
+  const std::string extension = kept.empty() ? ".png" : kept.front().extension().string();
+  return fmt::format(
+      "there is no picture of it in {}: let the program that draws it write {} (or another "
+      "format), "
+      "then check again; if it no longer draws it, take the case out of {}",
+      folder.string(), (folder / (name + extension)).string(), manifest.path().string());
+}
+
 // The picture as it is now; without one the case is missing.
 void take_picture(const GoldenManifest& manifest, const ActualFolder* actual, GoldenCheck& check) {
   const auto file = actual == nullptr ? std::nullopt : actual->find(check.name);
@@ -40,7 +52,7 @@ void take_picture(const GoldenManifest& manifest, const ActualFolder* actual, Go
         "--actual",
         manifest.scene(check.name).string());
   } else {
-    missing(check, fmt::format("there is no picture of it in {}", actual->folder.string()));
+    missing(check, no_picture_message(manifest, actual->folder, check.name));
     return;
   }
   check.found = image::raw_checksum(check.pair.candidate);

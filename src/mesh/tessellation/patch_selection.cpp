@@ -98,6 +98,13 @@ PatchSelection select_patches(const Prepared& prepared, const ViewTest& view) {
   return Selector(prepared, view).take();
 }
 
+std::int64_t patches_in_view(const Prepared& prepared, const ViewTest& view,
+                             const PatchSelection& selection) {
+  return std::ranges::count_if(selection.drawn, [&](const PatchPlace& patch) {
+    return may_be_in_view(view.camera, box_of(prepared, patch));
+  });
+}
+
 Box box_of(const Prepared& prepared, const PatchPlace& patch) {
   const auto& header = prepared.header();
   const PatchBounds& bounds = bounds_of(prepared, patch);

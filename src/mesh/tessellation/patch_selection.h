@@ -29,6 +29,10 @@ struct PatchSelection {
 /// left out.
 PatchSelection select_patches(const Prepared& prepared, const ViewTest& view);
 
+/// How many of the drawn patches the camera may see anything of (may_be_in_view, of their boxes).
+std::int64_t patches_in_view(const Prepared& prepared, const ViewTest& view,
+                             const PatchSelection& selection);
+
 /// Of a patch: its samples' extent, heights as the bounds say, widened by what decoding may add.
 Box box_of(const Prepared& prepared, const patch_quadtree::PatchPlace& patch);
 

@@ -1,166 +1,21 @@
 #include "mesh/tessellation/tessellation.h"
 
 #include <cmath>
-#include <unordered_map>
 #include <utility>
 
 #include "core/check.h"
 #include "core/parallel.h"
-#include "mesh/tessellation/patch_mesh.h"
-#include "mesh/tessellation/seams.h"
-#include "mesh/tessellation/skirts.h"
+#include "mesh/tessellation/patch_joiner.h"
 
 namespace plumb::mesh::tessellation {
 
 using patch_quadtree::Container;
-using patch_quadtree::PatchPlace;
 
 namespace {
 
 // Without a word of the user's the coded heights are to be no part of what is measured: a few
 // hundredths of a millimetre on a terrain of metres, not below what its numbers can hold.
 constexpr double kErrorOfSpacing = 2e-5, kErrorOfHeight = 3e-7;
-
-// What closes a patch's rims: walls of the conservative variant, or the paper's skirts.
-struct Rims {
-  std::vector<SeamTriangle> seams;
-  std::vector<Skirt> skirts;
-};
-
-// Puts patches together: vertices at one place are one vertex, where patches drew them alike.
-class Joiner {
- public:
-  Joiner(const Prepared& prepared, const PatchSelection& selection,
-         const std::vector<Grid<float>>& heights_m, const ChosenLevels& levels)
-      : prepared_(prepared), selection_(selection), heights_m_(heights_m), levels_(levels) {
-    const auto& header = prepared.header();
-    mesh_->origin_m = {header.origin_m, 0.0};
-    surface_.kinds = {"ground", "skirts"};
-  }
-
-  void add(std::size_t at, const PatchMesh& drawn, const Rims& rims) {
-    const PatchPlace& place = selection_.drawn[at];
-    const int n = prepared_.header().layout.patch_cells;
-    std::vector<std::uint32_t> number;
-    number.reserve(drawn.points.size());
-    for (const PatchPoint& point : drawn.points) {
-      const bool on_rim = point.i == 0 || point.j == 0 || point.i == n || point.j == n;
-      number.push_back(on_rim ? rim_vertex(at, point) : new_vertex(position(at, point)));
-    }
-    begin_patch(place, "", 0);
-    for (std::size_t k = 0; k < drawn.triangles.size(); ++k) {
-      const Triangle& t = drawn.triangles[k];
-      mesh_->triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
-      surface_.triangle_lod.push_back(static_cast<std::uint8_t>(place.level + drawn.thinned[k]));
-    }
-    if (end_patch()) claim_patch(at);
-    begin_patch(place, "skirts of ", 1);
-    for (const SeamTriangle& seam : rims.seams) wall(place.level, seam);
-    for (const Skirt& skirt : rims.skirts) hang(at, skirt);
-    end_patch();
-  }
-
-  DrawnSurface take() {
-    surface_.cost.vertices = static_cast<std::int64_t>(mesh_->vertices_m.size());
-    surface_.cost.triangles = static_cast<std::int64_t>(mesh_->triangles.size());
-    surface_.mesh = std::move(mesh_);
-    return std::move(surface_);
-  }
-  std::int64_t skirt_triangles() const { return skirt_triangles_; }
-
- private:
-  struct RimVertex {
-    float height_m;
-    std::uint32_t number;
-  };
-
-  glm::dvec3 position(std::size_t at, const PatchPoint& point) const {
-    const auto& header = prepared_.header();
-    const PatchPlace& place = selection_.drawn[at];
-    return {header.layout.sample_column(place, point.i) * header.dx_m,
-            header.layout.sample_row(place, point.j) * header.dy_m,
-            double{heights_m_[at](point.i + 1, point.j + 1)}};
-  }
-  std::uint32_t new_vertex(const glm::dvec3& place) {
-    mesh_->vertices_m.push_back(place);
-    return static_cast<std::uint32_t>(mesh_->vertices_m.size() - 1);
-  }
-  std::uint32_t rim_vertex(std::size_t at, const PatchPoint& point) {
-    const auto& layout = prepared_.header().layout;
-    const PatchPlace& place = selection_.drawn[at];
-    const std::int64_t key = std::int64_t{layout.sample_row(place, point.j)} * layout.columns +
-                             layout.sample_column(place, point.i);
-    const float height_m = heights_m_[at](point.i + 1, point.j + 1);
-    std::vector<RimVertex>& here = rim_[key];
-    for (const RimVertex& vertex : here)
-      if (vertex.height_m == height_m) return vertex.number;
-    here.push_back({height_m, new_vertex(position(at, point))});
-    return here.back().number;
-  }
-
-  void wall(int level, const SeamTriangle& seam) {
-    Triangle triangle{};
-    for (std::size_t k = 0; k < 3; ++k)
-      triangle[k] = seam[k].drawn >= 0
-                        ? rim_vertex(static_cast<std::size_t>(seam[k].drawn), seam[k].point)
-                        : new_vertex(seam[k].place_m);
-    mesh_->triangles.push_back(triangle);
-    surface_.triangle_lod.push_back(static_cast<std::uint8_t>(level));
-    ++skirt_triangles_;
-  }
-
-  // Two triangles for each piece of the top; none where there is no height, or beyond the terrain.
-  void hang(std::size_t at, const Skirt& skirt) {
-    if (skirt.depth_m == 0.0) return;
-    for (std::size_t k = 0; k + 1 < skirt.top.size(); ++k) {
-      const glm::dvec3 a = position(at, skirt.top[k]), b = position(at, skirt.top[k + 1]);
-      if (std::isnan(a.z) || std::isnan(b.z) || (a.x == b.x && a.y == b.y)) continue;
-      const glm::dvec3 down{0.0, 0.0, skirt.depth_m};
-      const std::uint32_t top_a = rim_vertex(at, skirt.top[k]),
-                          top_b = rim_vertex(at, skirt.top[k + 1]);
-      const std::uint32_t low_a = new_vertex(a - down), low_b = new_vertex(b - down);
-      mesh_->triangles.push_back({low_a, low_b, top_b});
-      mesh_->triangles.push_back({low_a, top_b, top_a});
-      const auto lod = static_cast<std::uint8_t>(selection_.drawn[at].level);
-      surface_.triangle_lod.insert(surface_.triangle_lod.end(), 2, lod);
-      skirt_triangles_ += 2;
-    }
-  }
-
-  void begin_patch(const PatchPlace& place, const char* what, int kind) {
-    Patch patch;
-    patch.first_triangle = static_cast<std::uint32_t>(mesh_->triangles.size());
-    patch.lod = place.level;
-    patch.name = fmt::format("{}patch ({}, {}) of level {}", what, place.px, place.py, place.level);
-    patch.kind = kind;
-    surface_.patches.push_back(std::move(patch));
-  }
-  // False if there is nothing in it: then it is no patch.
-  bool end_patch() {
-    Patch& patch = surface_.patches.back();
-    patch.triangle_count =
-        static_cast<std::uint32_t>(mesh_->triangles.size()) - patch.first_triangle;
-    if (patch.triangle_count > 0) return true;
-    surface_.patches.pop_back();
-    return false;
-  }
-  void claim_patch(std::size_t at) {
-    double bound_m = 0.0;
-    for (const double bound : levels_.patches[at].bound_m.values())
-      bound_m = std::max(bound_m, bound);
-    surface_.claims.push_back({Measure::SampleError, bound_m, Unit::Metre, Scope::Patch,
-                               static_cast<int>(surface_.patches.size()) - 1});
-  }
-
-  const Prepared& prepared_;
-  const PatchSelection& selection_;
-  const std::vector<Grid<float>>& heights_m_;
-  const ChosenLevels& levels_;
-  std::shared_ptr<TriangleMesh> mesh_ = std::make_shared<TriangleMesh>();
-  DrawnSurface surface_;
-  std::unordered_map<std::int64_t, std::vector<RimVertex>> rim_;  // looked up, never walked
-  std::int64_t skirt_triangles_ = 0;
-};
 
 void add_claims(const Prepared& prepared, const ViewTest& view, const LevelCounts& counts,
                 DrawnSurface& surface) {
@@ -179,12 +34,13 @@ void add_claims(const Prepared& prepared, const ViewTest& view, const LevelCount
   surface.claims.insert(surface.claims.begin(), claims.begin(), claims.end());
 }
 
-void add_notes(const Prepared& prepared, const PatchSelection& selection, const LevelCounts& counts,
-               std::int64_t skirt_triangles, DrawnSurface& surface) {
-  surface.notes.push_back(
-      fmt::format("{} patches drawn, {} visited, {} blocks; {} triangles of {} between patches",
-                  selection.drawn.size(), selection.visited, counts.blocks, skirt_triangles,
-                  prepared.parameters.variant == Variant::Published ? "skirts" : "walls"));
+void add_notes(const Prepared& prepared, const ViewTest& view, const PatchSelection& selection,
+               const LevelCounts& counts, std::int64_t skirt_triangles, DrawnSurface& surface) {
+  surface.notes.push_back(fmt::format(
+      "{} patches resident, {} in view, {} visited, {} blocks; {} triangles of {} between patches",
+      selection.drawn.size(), patches_in_view(prepared, view, selection), selection.visited,
+      counts.blocks, skirt_triangles,
+      prepared.parameters.variant == Variant::Published ? "skirts" : "walls"));
   if (counts.unreachable > 0)
     surface.notes.push_back(fmt::format(
         "{} blocks of the finest level miss the tolerance in full detail: heights coded within "
@@ -293,11 +149,11 @@ DrawnSurface draw(const Prepared& prepared, const Camera& camera, const Toleranc
       rims[k].seams = seams_of(prepared, view, selection, heights_m, levels, drawn, k);
     }
   });
-  Joiner joiner(prepared, selection, heights_m, levels);
+  PatchJoiner joiner(prepared, selection, heights_m, levels);
   for (std::size_t k = 0; k < drawn.size(); ++k) joiner.add(k, drawn[k], rims[k]);
   DrawnSurface surface = joiner.take();
   add_claims(prepared, view, levels.counts, surface);
-  add_notes(prepared, selection, levels.counts, joiner.skirt_triangles(), surface);
+  add_notes(prepared, view, selection, levels.counts, joiner.rim_triangles(), surface);
   surface.cost.nodes_visited = selection.visited;
   surface.cost.bytes_resident = bytes_resident(selection, prepared);
   surface.cost.bytes_encoded = prepared.container->file_bytes();

@@ -43,11 +43,12 @@ Prepared prepare(const terrain::Heightfield& field, const std::filesystem::path&
 ///
 /// Variant `conservative`:
 ///   (1) In metres: the drawn surface lies within the tolerance of the full-detail one (diagonals
-///   `blocks:8`), at every sample and between them; the camera is not used. (2) In pixels: what is
-///   in view is displaced on screen by at most the tolerance. (3) Where the coded heights are too
-///   coarse for either, the claim says what holds instead, and that it is out of reach. (4) Its
-///   outline, voids included, is that of the full-detail surface. (5) Blocks agree on the sides
-///   they share; where patches of two levels meet, walls fill what is between them.
+///   `blocks:8`), at every sample and between them; the camera is not used but to say how many
+///   patches are in view. (2) In pixels: what is in view is displaced on screen by at most the
+///   tolerance. (3) Where the coded heights are too coarse for either, the claim says what holds
+///   instead, and that it is out of reach. (4) Its outline, voids included, is that of the
+///   full-detail surface. (5) Blocks agree on the sides they share; where patches of two levels
+///   meet, walls fill what is between them.
 /// Variant `published` selects as the paper prints it, less what is mended.
 /// Source: [Yusov & Shevtsov 2011]; departures are named in docs/algorithms/tessellation.md.
 DrawnSurface draw(const Prepared& prepared, const Camera& camera, const Tolerance& tolerance);

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
+
+#include "support/small_xml.h"
 
 namespace plumb::report {
 namespace {
@@ -35,6 +38,107 @@ TEST(ScatterChart, HasAxesWithoutPointsAndRefusesWhatHasNoLogarithm) {
     chart.points = {{1.0, bad, ""}};
     EXPECT_THROW(to_svg(chart), std::invalid_argument) << bad;
   }
+}
+
+int times(const std::string& text, const std::string& part) {
+  int count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++count;
+  return count;
+}
+
+// Linear axes: x to 20 over 532 pixels from 84, y to 3 over 364 pixels from 412 up, shifted by the
+// legend's one row of 20.
+ScatterChart two_series() {
+  ScatterChart chart;
+  chart.x_axis = chart.y_axis = AxisKind::Linear;
+  chart.series = {{"fine", {{20.0, 3.0, "last"}, {10.0, 0.0, "first"}}, true},
+                  {"coarse & <b>", {{5.0, 1.5, "\"a\" < b"}}, false}};
+  return chart;
+}
+
+TEST(ScatterChart, GivesEachSeriesAColourAndAMarkerAndTheLegendItsName) {
+  const std::string svg = to_svg(two_series());
+  EXPECT_TRUE(contains(svg, "width=\"640\" height=\"500\"")) << svg;
+  EXPECT_TRUE(contains(svg, ".series-0 path{fill:#0072b2}"));
+  EXPECT_TRUE(contains(svg, ".series-1 path{fill:#d55e00}"));
+  EXPECT_EQ(times(svg, "<path d=\"M-4,0a"), 3);        // two points and the legend
+  EXPECT_EQ(times(svg, "<path d=\"M-3.5,-3.5h7"), 2);  // one and the legend
+  EXPECT_EQ(times(svg, "<path "), 5);
+  EXPECT_EQ(times(svg, "<circle"), 0);
+  EXPECT_TRUE(contains(svg, "transform=\"translate(616.0 68.0)\"><title>last</title>"));
+  EXPECT_TRUE(contains(svg, "transform=\"translate(217.0 250.0)\">"));  // a quarter and a half
+  EXPECT_TRUE(contains(svg, ">fine</text>"));
+}
+
+// A line for the joined series, from its least x, and one in its legend.
+TEST(ScatterChart, JoinsASeriesInOrderOfX) {
+  const std::string svg = to_svg(two_series());
+  EXPECT_TRUE(contains(svg, "<polyline points=\"350.0,432.0 616.0,68.0\"/>")) << svg;
+  EXPECT_EQ(times(svg, "<polyline"), 2);
+}
+
+TEST(ScatterChart, EscapesItsTexts) {
+  const std::string svg = to_svg(two_series());
+  EXPECT_EQ(testing::xml_fault(svg), "");
+  EXPECT_TRUE(contains(svg, ">coarse &amp; &lt;b&gt;</text>")) << svg;
+  EXPECT_FALSE(contains(svg, "\" < b"));
+}
+
+// As tall as without one: nothing is said of it but its markers.
+TEST(ScatterChart, HasNoLegendForASeriesWithoutAName) {
+  ScatterChart chart = two_series();
+  chart.series = {{"", {{1.0, 1.0, ""}}, false}};
+  const std::string svg = to_svg(chart);
+  EXPECT_TRUE(contains(svg, "height=\"480\""));
+  EXPECT_EQ(times(svg, "<path "), 1);
+}
+
+// Half of an axis to 4, which a limit of 4 asks for.
+TEST(ScatterChart, MarksItsLimitAndHasItOnTheAxis) {
+  ScatterChart chart;
+  chart.x_axis = chart.y_axis = AxisKind::Linear;
+  chart.points = {{1.0, 2.0, ""}};
+  chart.limit = 4.0;
+  chart.limit_label = "< allowed";
+  const std::string svg = to_svg(chart);
+  EXPECT_TRUE(contains(svg, "<line class=\"same\" x1=\"84.0\" y1=\"48.0\" x2=\"616.0\""));
+  EXPECT_TRUE(contains(svg, "cy=\"230.0\""));
+  EXPECT_TRUE(contains(svg, "<text x=\"90.0\" y=\"39.0\">&lt; allowed</text>"));
+}
+
+// 20 + 200 + 28 pixels, then 44 + 200 + 64 with texts above and below: and one row of the legend.
+TEST(ScatterChart, StandsInPanelsUnderOneLegend) {
+  std::array<ScatterChart, 2> panels{two_series(), two_series()};
+  panels[1].title = "second";
+  panels[1].x_label = "x";
+  const std::string svg = svg_of_panels(panels);
+  EXPECT_TRUE(contains(svg, "width=\"640\" height=\"576\"")) << svg;
+  EXPECT_EQ(testing::xml_fault(svg), "");
+  EXPECT_EQ(times(svg, ">fine</text>"), 1);
+  EXPECT_EQ(times(svg, "<title>last</title>"), 2);
+  EXPECT_TRUE(contains(svg, "translate(616.0 40.0)"));
+  EXPECT_TRUE(contains(svg, "translate(616.0 312.0)"));  // 20 + 248 + 44
+}
+
+TEST(ScatterChart, RefusesWhatItCannotShow) {
+  ScatterChart chart = two_series();
+  chart.series.resize(ScatterChart::kMostSeries + 1);
+  EXPECT_THROW(to_svg(chart), std::invalid_argument);
+  chart = two_series();
+  chart.x_axis = AxisKind::Log10;
+  chart.diagonal = true;
+  EXPECT_THROW(to_svg(chart), std::invalid_argument);
+  chart = two_series();
+  chart.y_axis = AxisKind::Log10;  // one y is zero
+  EXPECT_THROW(to_svg(chart), std::invalid_argument);
+  chart = {};
+  chart.limit = 0.0;
+  EXPECT_THROW(to_svg(chart), std::invalid_argument);
+  std::array<ScatterChart, 2> panels{two_series(), two_series()};
+  panels[1].series[0].name = "finer";
+  EXPECT_THROW(svg_of_panels(panels), std::invalid_argument);
+  EXPECT_THROW(svg_of_panels({}), std::invalid_argument);
 }
 
 }  // namespace
