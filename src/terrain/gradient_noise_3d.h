@@ -15,8 +15,8 @@ inline std::uint32_t lattice_hash(std::int64_t x, std::int64_t y, std::int64_t z
   return lattice_hash(x, y, seed + 0x165667b19e3779f9ULL * static_cast<std::uint64_t>(z));
 }
 
-/// What one horizontal plane of lattice points adds to the noise above a place (x, y): at + rise *
-/// w, w being the height above the plane.
+/// What one horizontal plane of lattice points adds to the noise at the height w over its place
+/// (x, y): at + rise * w.
 struct NoisePlane {
   double at = 0.0, rise = 0.0;
 };
@@ -70,8 +70,8 @@ inline double noise_between(const NoisePlane& lower, const NoisePlane& upper, do
 }
 
 /// Gradient noise at (x, y, z), all below 2^52: twice continuously differentiable, 0 at every
-/// lattice point, within [-1, 1]. Source: [Perlin 2002], with a hash in place of the permutation
-/// table.
+/// lattice point, within [-1, 1].
+/// Source: [Perlin 2002], with a hash in place of the permutation table.
 inline double gradient_noise(double x, double y, double z, std::uint64_t seed) {
   const NoisePlace place(x, y);
   const std::int64_t k = floor_to_integer(z);
