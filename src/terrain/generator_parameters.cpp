@@ -77,10 +77,6 @@ std::string GeneratorValues::canonical() const {
   return result;
 }
 
-bool GeneratorValues::is_given(const std::string& parameter) const {
-  return given_.count(parameter) > 0;
-}
-
 const std::string& GeneratorValues::text(const std::string& parameter) const {
   const auto found = given_.find(parameter);
   if (found != given_.end()) return found->second;
@@ -126,6 +122,15 @@ std::pair<double, double> GeneratorValues::pair(const std::string& parameter, do
     refuse(parameter, fmt::format("A or A,B with numbers from {} to {}", low, high));
   }
   return {*first, *second};
+}
+
+glm::dvec2 GeneratorValues::origin_m() const {
+  const auto both = pair("origin", -1e9, 1e9);
+  const glm::dvec2 origin(both.first, both.second);
+  if (whole("utm", 0, 1) == 0) return origin;
+  // The canonical argument names an origin that was not given as well.
+  if (origin != glm::dvec2(0.0)) refuse("origin", "either origin or utm=1, not both");
+  return {500000.0, 4500000.0};
 }
 
 GridShape GeneratorValues::shape() const {

@@ -1,6 +1,8 @@
 // The values in a generator's argument, checked against what the generator knows.
 #pragma once
 
+#include <glm/vec2.hpp>
+
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -29,11 +31,11 @@ class GeneratorValues {
   explicit GeneratorValues(const std::string& argument);
 
   const std::string& name() const { return help_->name; }
+  bool makes_stacks() const { return help_->makes_stacks; }
   /// The argument with every parameter, in the order of the help.
   std::string canonical() const;
 
   const std::string& text(const std::string& parameter) const;
-  bool is_given(const std::string& parameter) const;
   /// The number that a parameter holds. Throws InputError unless it lies in [low, high].
   double number(const std::string& parameter, double low, double high) const;
   double number(const std::string& parameter) const { return number(parameter, -1e7, 1e7); }
@@ -41,6 +43,11 @@ class GeneratorValues {
   std::uint64_t seed() const;
   /// "A" or "A,B"; one number stands for both.
   std::pair<double, double> pair(const std::string& parameter, double low, double high) const;
+  /// Where the south-west sample stands: origin or utm. Throws InputError for utm and another
+  /// origin than 0,0.
+  glm::dvec2 origin_m() const;
+  /// The seed of the blobs of void.
+  std::uint64_t void_seed() const { return seed() ^ 0x85ebca6bULL; }
   /// size ("N" or "WxH") and spacing ("D" or "DX,DY").
   GridShape shape() const;
 

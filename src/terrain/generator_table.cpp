@@ -16,7 +16,7 @@ struct Generator {
   const char* size;
   const char* spacing;
   std::vector<GeneratorParameter> own;
-  RowFiller (*filler)(const GeneratorValues&, const GridShape&);
+  RowFiller (*filler)(const GeneratorValues&, const GridShape&);  // null: it makes stacks
 };
 
 GeneratorParameter height(const char* value) {
@@ -118,12 +118,24 @@ const std::vector<Generator>& generators() {
        "10",
        {height("0"), relief("50"), {"tile", "8", "samples along a tile's side, >= 1"}},
        checkerboard},
+      {"caves",
+       "mesas with arches, overhangs and caves: a terrain of stacks of material",
+       "513",
+       "1",
+       {{"height", "0", "of the bottom, metres"},
+        {"relief", "128", "from the bottom to above all ground, metres, > 0"},
+        {"feature", "400", "distance between mesas, metres, > 0"},
+        {"caves", "1", "width of caves: 0 for none, 1 for natural ones, to 3"},
+        {"soil", "2", "thickness of soil on level ground, metres, >= 0"},
+        {"surface", "stacks",
+         "top: the heights of its top surface alone, as of any other terrain"}},
+       nullptr},
   };
   return table;
 }
 
 GeneratorHelp help_for(const Generator& generator) {
-  GeneratorHelp help{generator.name, generator.meaning, {}};
+  GeneratorHelp help{generator.name, generator.meaning, {}, generator.filler == nullptr};
   help.parameters = {{"size", generator.size, "N or WIDTHxHEIGHT in samples, >= 1"},
                      {"spacing", generator.spacing, "D or DX,DY in metres, > 0"},
                      {"seed", "1", "whole number >= 0; of what is random, voids too"},
@@ -147,9 +159,9 @@ const std::vector<GeneratorHelp>& generator_help() {
 
 RowFiller row_filler(const GeneratorValues& values, const GridShape& shape) {
   for (const Generator& generator : generators()) {
-    if (generator.name == values.name()) return generator.filler(values, shape);
+    if (generator.name == values.name() && generator.filler) return generator.filler(values, shape);
   }
-  input_error("generate:{}: there is no such generator", values.name());
+  input_error("generate:{}: there is no such generator of heights", values.name());
 }
 
 }  // namespace plumb::terrain

@@ -5,81 +5,51 @@
 
 #include "core/check.h"
 #include "core/parallel.h"
+#include "terrain/generated_voids.h"
 #include "terrain/generator_parameters.h"
-#include "terrain/gradient_noise.h"
 #include "terrain/memory_check.h"
+#include "terrain/stacks/stack_source.h"
 
 namespace plumb::terrain {
 namespace {
 
-constexpr int kLevels = 65536;
-
-/// How deep in a blob of void a sample lies, as a level below kLevels.
-std::size_t void_level(int i, int j, std::uint64_t seed) {
-  constexpr double kBlob = 1.0 / 24.0;  // in samples
-  // Half a lattice step aside, as the noise is 0 on the lattice; a little hash parts equals.
-  const double noise = gradient_noise((i + 0.5) * kBlob, (j + 0.5) * kBlob, seed);
-  const double fine = lattice_part(i, j, ~seed);
-  const double level = ((noise + 1.0) * 0.5 * 0.98 + 0.02 * fine) * (kLevels - 1);
-  return static_cast<std::size_t>(level);
-}
-
-/// Makes the samples of the highest levels void: as many levels as stay within `part` of all.
-/// Returns how many.
+/// Makes samples void; returns how many.
 std::int64_t punch_voids(Grid<float>& heights_m, double part, std::uint64_t seed) {
-  using Counts = std::vector<std::int64_t>;
-  const Counts counts = parallel_ordered_reduce(
-      heights_m.rows(), 256, Counts(kLevels, 0),
-      [&](std::int64_t begin, std::int64_t end, Counts found) {
-        for (std::int64_t j = begin; j < end; ++j) {
-          for (int i = 0; i < heights_m.columns(); ++i) {
-            ++found[void_level(i, static_cast<int>(j), seed)];
-          }
-        }
-        return found;
-      },
-      [](Counts a, const Counts& b) {
-        for (std::size_t k = 0; k < a.size(); ++k) a[k] += b[k];
-        return a;
-      });
-  const double wanted = part * static_cast<double>(heights_m.size());
-  std::size_t first_void = kLevels;
-  std::int64_t voids = 0;
-  while (first_void > 0 && static_cast<double>(voids + counts[first_void - 1]) <= wanted) {
-    voids += counts[--first_void];
-  }
+  const GeneratedVoids voids(heights_m.columns(), heights_m.rows(), part, seed);
   parallel_for(heights_m.rows(), 16, [&](std::int64_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < heights_m.columns(); ++i) {
-      if (void_level(i, j, seed) >= first_void) {
-        heights_m(i, j) = std::numeric_limits<float>::quiet_NaN();
-      }
+      if (voids.at(i, j)) heights_m(i, j) = std::numeric_limits<float>::quiet_NaN();
     }
   });
-  return voids;
+  return voids.count();
 }
 
-glm::dvec2 origin_of(const GeneratorValues& values) {
-  const bool utm = values.whole("utm", 0, 1) == 1;
-  if (utm && values.is_given("origin")) {
-    values.refuse("origin", "either origin or utm=1, not both");
+Heightfield top_of_stacks(const GeneratorValues& values) {
+  const std::string& surface = values.text("surface");
+  if (surface != "top" && surface != "stacks") values.refuse("surface", "stacks or top");
+  if (surface == "stacks") {
+    input_error(
+        "generate:{}: {} is a terrain of stacks: method stacks draws it; surface=top asks for the "
+        "heights of its top surface alone",
+        values.name(), values.name());
   }
-  if (utm) return {500000.0, 4500000.0};
-  const auto origin = values.pair("origin", -1e9, 1e9);
-  return {origin.first, origin.second};
+  require_memory("generate:" + values.name(), values.shape().columns, values.shape().rows,
+                 sizeof(float) + kBytesAStack);
+  return top_surface(make_stacks(values));
 }
 
 }  // namespace
 
 Heightfield generate(const std::string& argument) {
   const GeneratorValues values(argument);
+  if (values.makes_stacks()) return top_of_stacks(values);
   const GridShape shape = values.shape();
   const RowFiller fill = row_filler(values, shape);
   const double voids = values.number("voids", 0.0, 1.0);
-  const std::uint64_t seed = values.seed();
   require_memory("generate:" + values.name(), shape.columns, shape.rows, sizeof(float));
   Heightfield field;
-  field.origin_m = origin_of(values);
+  field.origin_m = values.origin_m();
   field.dx_m = shape.dx_m;
   field.dy_m = shape.dy_m;
   Grid<float> heights_m(shape.columns, shape.rows);
@@ -87,7 +57,7 @@ Heightfield generate(const std::string& argument) {
     fill(static_cast<int>(j), heights_m.row(static_cast<int>(j)));
   });
   if (voids > 0.0) {
-    field.provenance.voids_declared = punch_voids(heights_m, voids, seed ^ 0x85ebca6bULL);
+    field.provenance.voids_declared = punch_voids(heights_m, voids, values.void_seed());
   }
   field.heights_m = std::move(heights_m);
   field.provenance.source = values.canonical();

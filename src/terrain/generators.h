@@ -18,6 +18,7 @@ struct GeneratorHelp {
   std::string name;
   std::string meaning;
   std::vector<GeneratorParameter> parameters;  // those of all generators first
+  bool makes_stacks = false;                   // and a heightfield only with surface=top
 };
 
 /// Every generator and every parameter that it takes, in the order in which help lists them.
@@ -43,8 +44,12 @@ bool is_generator(const std::string& argument);
 ///   dunes         crests across the wind with slip faces: terrain/dunes.h
 ///   canyon        a gorge with terraced walls: terrain/canyon.h
 ///   urban         blocks of buildings: terrain/urban.h
+///   caves         with surface=top the top surface of what terrain/stacks/caves.h makes; without
+///   it
+///                 an error, as that is a terrain of stacks: terrain/stacks/stack_source.h
 ///
-///   (1) Heights do not depend on the origin. Those of alpine, dunes, urban, plane, tilted-plane
+///   (1) Heights do not depend on the origin. Those of alpine, dunes, urban, caves, plane,
+///   tilted-plane
 ///       (without relief), sinusoid and checkerboard do not depend on the size either: a smaller
 ///       terrain is the south-west corner of a larger one (its voids need not be).
 ///   (2) provenance.source names every parameter with its value, and gives the same terrain again.

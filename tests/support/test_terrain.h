@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string>
 
+#include "terrain/generators.h"
 #include "terrain/heightfield.h"
 
 namespace plumb::test_support {
@@ -48,6 +50,11 @@ inline terrain::Heightfield rough_terrain(int columns, int rows, std::uint32_t s
     }
   }
   return field;
+}
+
+/// The heights of a generator: with `query`, which asks for the top surface of what makes stacks.
+inline std::string heights_of(const terrain::GeneratorHelp& help, const std::string& query) {
+  return "generate:" + help.name + "?" + query + (help.makes_stacks ? "&surface=top" : "");
 }
 
 }  // namespace plumb::test_support

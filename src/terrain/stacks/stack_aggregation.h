@@ -27,16 +27,15 @@ struct Aggregation {
 /// The stack that stands for one to four others.
 ///
 ///   1. The stacks are cut at every boundary of any of them; the pieces between are segments. A
-///      segment is dominated by the one material that most of the stacks have there, or tied.
-///   2. A dominated segment takes that material. A tied one looks at the segments w = 1, 2, ...
-///   below
+///      segment is dominated by the one material that more of the stacks have there than any
+///      other, or tied between several.
+///   2. A dominated segment takes that material. A tied one looks at the segments 1, 2, ... below
 ///      and above: a side votes for the material that dominates the segment there, if it is among
-///      the tied ones. At the first w with a vote, one vote or two equal ones fill the segment; two
-///      different ones part it in the middle, each to its own side.
+///      the tied ones. At the first distance with a vote, one vote or two equal ones fill the
+///      segment; two different ones part it in the middle, each to its own side.
 ///   3. Without a vote up to both ends: of the tied materials the one of the largest total
-///   thickness
-///      in the whole stacks (summed from the bottom up), then any solid one before air, then the
-///      lowest index.
+///      thickness in the whole stacks (summed from the bottom up), then any solid one before air,
+///      then the lowest index.
 ///   4. Equal neighbours are joined.
 ///
 /// stacks  1 to 4, of one low_m, with ends in (low_m, high_m]; above them is air
@@ -46,7 +45,7 @@ struct Aggregation {
 ///   (3) Every end is an end of one of the stacks, but for the middles of parted segments, which
 ///       are rounded to a float.
 /// Throws std::invalid_argument for another number of stacks or unequal low_m.
-/// Source: [Löffler et al. 2011, section 4.1], its heuristic made complete.
+/// Source: [Löffler et al. 2011, section 3.1], its heuristic made complete.
 void aggregate(std::span<const StackView> stacks, float high_m, Aggregation& result);
 
 }  // namespace plumb::terrain

@@ -50,7 +50,7 @@ struct StackView {
 /// As a volume it has `voxels` voxels up, each voxel_m high: the lattice of dual contouring. Voxel
 /// v reaches from low_m + v * voxel_m to low_m + (v + 1) * voxel_m.
 ///
-/// Source: [Löffler, Müller & Schumann 2011, section 3]; layers as [Beneš & Forsbach 2001].
+/// Source: [Löffler et al. 2011, section 3]; layers as [Beneš & Forsbach 2001].
 struct StackField {
   int columns = 0, rows = 0;
   double dx_m = 1.0, dy_m = 1.0, voxel_m = 1.0;

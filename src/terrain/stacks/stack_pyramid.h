@@ -16,7 +16,7 @@ namespace plumb::terrain {
 ///   (1) Where a size is odd, the border column (row) counts twice.
 ///   (2) Holes are left out; four holes are a hole.
 ///   (3) The same bits on any number of threads.
-/// Source: [Löffler et al. 2011, section 4.1]
+/// Source: [Löffler et al. 2011, section 3.1]
 StackField halved(const StackField& finer);
 
 /// The finest field and what halving makes of it, `levels` fields in all: stacks of level L stand

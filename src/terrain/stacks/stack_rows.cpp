@@ -31,8 +31,11 @@ StackField field_of_rows(StackField shape, const StackRowFiller& fill) {
   empty.rows = 1;
   std::vector<StackField> rows(static_cast<std::size_t>(field.rows), empty);
   parallel_for(field.rows, 1, [&](std::int64_t j) {
-    StackWriter writer(rows[static_cast<std::size_t>(j)]);
+    StackField& row = rows[static_cast<std::size_t>(j)];
+    StackWriter writer(row);
     fill(static_cast<int>(j), writer);
+    row.end_m.shrink_to_fit();
+    row.material.shrink_to_fit();
   });
   std::size_t layers = 0;
   for (const StackField& row : rows) {

@@ -1,5 +1,7 @@
 #include "scene.h"
 #include "stage.h"
+#include "terrain/stacks/stack_pyramid.h"
+#include "terrain/stacks/stack_source.h"
 #include "terrain/statistics.h"
 #include "terrain/void_fill.h"
 
@@ -10,7 +12,18 @@ std::uint64_t generators() {
   Checksum sum;
   for (const terrain::GeneratorHelp& generator : terrain::generator_help()) {
     for (const char* parameters : {"?size=33x21&spacing=20,15", "?size=25&seed=9&voids=0.1&utm=1"})
-      sum.add(terrain::checksum(terrain::generate("generate:" + generator.name + parameters)));
+      sum.add(terrain::checksum(terrain::generate("generate:" + generator.name + parameters +
+                                                  (generator.makes_stacks ? "&surface=top" : ""))));
+  }
+  return sum.value();
+}
+
+std::uint64_t stacks() {
+  Checksum sum;
+  for (const char* parameters : {"?size=65x43&spacing=4", "?size=40&seed=9&voids=0.1&utm=1"}) {
+    const auto made = terrain::generate_stacks(std::string("generate:caves") + parameters);
+    for (const terrain::StackField& level : terrain::stack_pyramid(made, 4))
+      sum.add(terrain::checksum(level));
   }
   return sum.value();
 }
@@ -48,6 +61,7 @@ std::uint64_t presets() {
 
 std::vector<Stage> terrain_stages() {
   return {{"terrain.generators", generators},
+          {"terrain.stacks", stacks},
           {"terrain.filled_voids", filled_voids},
           {"terrain.statistics", statistics},
           {"terrain.presets", presets}};

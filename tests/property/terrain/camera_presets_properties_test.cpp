@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/parallel.h"
+#include "support/test_terrain.h"
 #include "terrain/camera_presets.h"
 #include "terrain/generators.h"
 #include "terrain/terrain_source.h"
@@ -70,7 +71,7 @@ TEST(EveryPreset, SeesGroundFromAboveIt) {
     for (const char* shape :
          {"size=129", "size=2", "size=3x2", "size=200x9&spacing=3", "size=5x90&spacing=40,10",
           "size=97&utm=1&voids=0.2", "size=64x80&voids=0.7&seed=4"}) {
-      const std::string argument = "generate:" + help.name + "?" + shape;
+      const std::string argument = test_support::heights_of(help, shape);
       const Heightfield field = generate(argument);
       for (const PresetHelp& preset : preset_help()) {
         expect_good_view(field, preset.name, argument);

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/parallel.h"
+#include "support/test_terrain.h"
 #include "terrain/generators.h"
 #include "terrain/statistics.h"
 #include "terrain/terrain_source.h"
@@ -19,7 +20,7 @@ std::vector<std::string> terrains() {
   std::vector<std::string> arguments;
   for (const GeneratorHelp& help : generator_help()) {
     for (const char* size : {"1x7", "2", "33", "65x40"}) {
-      arguments.push_back("generate:" + help.name + "?seed=3&size=" + size);
+      arguments.push_back(test_support::heights_of(help, std::string("seed=3&size=") + size));
       arguments.push_back(arguments.back() + "&voids=0.3&utm=1&spacing=7,13");
     }
   }
@@ -28,7 +29,7 @@ std::vector<std::string> terrains() {
 
 TEST(EveryGenerator, GivesTheSameBitsOnAnyNumberOfThreads) {
   for (const GeneratorHelp& help : generator_help()) {
-    const std::string argument = "generate:" + help.name + "?size=301x203&voids=0.15&seed=9";
+    const std::string argument = test_support::heights_of(help, "size=301x203&voids=0.15&seed=9");
     std::vector<std::uint64_t> sums;
     for (const int threads : {1, 2, 7}) {
       const ThreadLimit limit(threads);

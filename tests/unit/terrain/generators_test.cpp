@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/check.h"
+#include "support/test_terrain.h"
 #include "terrain/terrain_source.h"
 
 namespace plumb::terrain {
@@ -162,11 +163,13 @@ TEST(Generators, TheSourceGivesTheSameTerrainAgain) {
   EXPECT_EQ(field.provenance.source, again.provenance.source);
   expect_says(field.provenance.source, "seed=4");
   expect_says(field.provenance.source, "octaves=0");
+  const Heightfield utm = generate("generate:plane?size=3&utm=1");
+  EXPECT_EQ(checksum(generate(utm.provenance.source)), checksum(utm));
 }
 
 TEST(Generators, OneSampleIsATerrain) {
   for (const GeneratorHelp& help : generator_help()) {
-    const Heightfield field = generate("generate:" + help.name + "?size=1");
+    const Heightfield field = generate(test_support::heights_of(help, "size=1"));
     EXPECT_EQ(field.heights_m.size(), 1u);
     EXPECT_TRUE(std::isfinite(field.heights_m(0, 0))) << help.name;
   }
@@ -174,16 +177,16 @@ TEST(Generators, OneSampleIsATerrain) {
 
 TEST(Generators, DefaultsOfTheHelpAreAccepted) {
   for (const GeneratorHelp& help : generator_help()) {
-    std::string argument = "generate:" + help.name + "?size=9";
+    std::string argument = test_support::heights_of(help, "size=9");
     for (const GeneratorParameter& parameter : help.parameters) {
       EXPECT_FALSE(parameter.meaning.empty());
-      if (parameter.name != "size") {
+      if (parameter.name != "size" && parameter.name != "surface") {
         argument += "&" + parameter.name + "=" + parameter.default_value;
       }
     }
     if (argument.find("utm=0") != std::string::npos) {
       EXPECT_EQ(checksum(generate(argument)),
-                checksum(generate("generate:" + help.name + "?size=9")));
+                checksum(generate(test_support::heights_of(help, "size=9"))));
     }
   }
 }
@@ -192,7 +195,7 @@ TEST(Generators, UnknownNamesAndParametersListTheKnownOnes) {
   expect_says(
       refusal("generate:apline"),
       "known are alpine dunes canyon urban plane tilted-plane paraboloid step spike sinusoid "
-      "checkerboard");
+      "checkerboard caves");
   expect_says(refusal("generate:"), "known are alpine");
   expect_says(refusal("generate:plane?hieght=3"),
               "known are size spacing seed voids utm origin height");

@@ -4,6 +4,7 @@
 
 #include "core/parallel.h"
 #include "support/drawn_stacks.h"
+#include "terrain/stacks/stack_rows.h"
 
 namespace plumb::terrain {
 namespace {
@@ -93,6 +94,34 @@ TEST(StackPyramid, IsTheSameOnAnyNumberOfThreads) {
   }
   EXPECT_EQ(sums[1], sums[0]);
   EXPECT_EQ(sums[2], sums[0]);
+}
+
+TEST(FieldOfRows, RefusesARowThatIsNotFilled) {
+  const StackField shape = test_support::empty_stacks(2, 3, 4);
+  const auto filled_up_to = [&](int last) {
+    return field_of_rows(shape, [last](int j, StackWriter& row) {
+      row.add({});
+      if (j != last) row.add({});
+    });
+  };
+  EXPECT_NO_THROW(require_valid(filled_up_to(3)));
+  EXPECT_THROW(filled_up_to(2), std::invalid_argument);
+}
+
+TEST(FieldOfRows, JoinsRowsInTheirOrder) {
+  const StackField field =
+      field_of_rows(test_support::empty_stacks(2, 3, 4), [](int j, StackWriter& row) {
+        const Layer layer{0.0F, 1.0F + static_cast<float>(j), 1};
+        row.add({&layer, 1});
+        j == 1 ? row.add_hole() : row.add({});
+      });
+  EXPECT_NO_THROW(require_valid(field));
+  for (int j = 0; j < 3; ++j) {
+    ASSERT_EQ(field.stack(0, j).size(), 1u);
+    EXPECT_EQ(field.stack(0, j).end_m[0], 1.0F + static_cast<float>(j));
+    EXPECT_EQ(field.stack(1, j).size(), 0u);
+    EXPECT_EQ(field.is_hole(1, j), j == 1);
+  }
 }
 
 TEST(StackPyramid, HasOneToThirtyOneLevels) {
