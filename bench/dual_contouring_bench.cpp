@@ -31,7 +31,7 @@ const Lattice<float>& terrain_with_caves() {
               150 + 60 * noise(x / 90.0, y / 90.0, 1) + 10 * noise(x / 15.0, y / 15.0, 2);
           const double cave = noise((x + 0.31 * z) / 26.0, (y - 0.23 * z) / 26.0, 3) +
                               noise((z + 0.17 * y) / 22.0, (x - 0.11 * y) / 26.0, 4);
-          const double ground = std::min(hill - z, 20.0 * (0.22 - cave));
+          const double ground = std::min(hill - z, 20.0 * (0.10 - cave));
           row[static_cast<std::size_t>(x + 2)] =
               static_cast<float>(std::clamp(0.5 + ground, 0.0, 1.0));
         }

@@ -13,22 +13,25 @@ namespace {
 
 constexpr std::int64_t kRows = 64;  // a task
 
-glm::ivec3 corner_of(int corner) { return {corner & 1, corner >> 1 & 1, corner >> 2}; }
-
-double at_border(const Lattice<float>& density, const glm::ivec3& p) {
-  const glm::ivec3 low = density.box().low, high = density.box().high() - 1;
-  return density({std::clamp(p.x, low.x, high.x), std::clamp(p.y, low.y, high.y),
-                  std::clamp(p.z, low.z, high.z)});
-}
-
-// Calls body(row, cell) for all active cells, rows side by side.
-template <class Body>
+// Calls body(place, cell, scratch) for all active cells, rows side by side.
+template <class Scratch, class Body>
 void for_cells(const ActiveCells& active, const Body& body) {
   parallel_for(static_cast<std::int64_t>(active.rows()), kRows, [&](std::int64_t row) {
     const auto at = static_cast<std::size_t>(row);
+    Scratch scratch;
     for (std::uint32_t k = active.first_cell[at]; k < active.first_cell[at + 1]; ++k)
-      body(at, active.cells[k]);
+      body(active.place(at, active.cells[k]), active.cells[k], scratch);
   });
+}
+
+void fill_corners(const Lattice<float>& density, const glm::ivec3& cell, bool with_gradients,
+                  CellCorners& corners) {
+  const std::ptrdiff_t row = density.box().size.x, slice = row * density.box().size.y;
+  const float* low = &density(cell);
+  for (int c = 0; c < 8; ++c)
+    corners.density[static_cast<std::size_t>(c)] =
+        low[(c & 1) + (c >> 1 & 1) * row + (c >> 2) * slice];
+  if (with_gradients) corners.gradient = central_gradients(density, cell);
 }
 
 glm::dvec3 unit_or_zero(const glm::dvec3& v) {
@@ -58,55 +61,24 @@ void add_face_normals(std::span<const glm::dvec3> positions, std::span<const Qua
 
 }  // namespace
 
-glm::dvec3 central_gradient(const Lattice<float>& density, const glm::ivec3& sample) {
-  const LatticeBox& box = density.box();
-  glm::dvec3 gradient;
-  for (int axis = 0; axis < 3; ++axis) {
-    glm::ivec3 before = sample, after = sample;
-    before[axis] = std::max(sample[axis] - 1, box.low[axis]);
-    after[axis] = std::min(sample[axis] + 1, box.high()[axis] - 1);
-    const int apart = after[axis] - before[axis];
-    gradient[axis] = apart == 0 ? 0.0 : (double{density(after)} - double{density(before)}) / apart;
-  }
-  return gradient;
-}
-
-glm::dvec3 sobel_gradient(const Lattice<float>& density, const glm::ivec3& sample) {
-  glm::dvec3 gradient(0.0);
-  for (int z = -1; z <= 1; ++z) {
-    for (int y = -1; y <= 1; ++y) {
-      for (int x = -1; x <= 1; ++x) {
-        const double value = at_border(density, sample + glm::ivec3(x, y, z));
-        const int wx = 2 - std::abs(x), wy = 2 - std::abs(y), wz = 2 - std::abs(z);
-        gradient += value * glm::dvec3(x * wy * wz, wx * y * wz, wx * wy * z);
-      }
-    }
-  }
-  return gradient / 32.0;
-}
-
 CellCorners corners_of(const Lattice<float>& density, const glm::ivec3& cell, bool with_gradients) {
   CellCorners corners;
-  for (int c = 0; c < 8; ++c) {
-    const glm::ivec3 sample = cell + corner_of(c);
-    corners.density[static_cast<std::size_t>(c)] = density(sample);
-    if (with_gradients)
-      corners.gradient[static_cast<std::size_t>(c)] = central_gradient(density, sample);
-  }
+  fill_corners(density, cell, with_gradients, corners);
   return corners;
 }
 
 std::vector<glm::dvec3> vertex_positions(const Lattice<float>& density, const ActiveCells& active,
                                          Placement placement) {
   std::vector<glm::dvec3> positions(active.vertices);
-  for_cells(active, [&](std::size_t row, const ActiveCell& cell) {
-    const glm::ivec3 place = active.place(row, cell);
-    const CellCorners corners = corners_of(density, place, placement != Placement::Mean);
-    const CellLoops& loops = active.loops(cell);
-    for (std::size_t v = 0; v < cell.vertices; ++v)
-      positions[cell.first_vertex + v] =
-          glm::dvec3(place) + place_vertex(corners, loops.edges[v], placement);
-  });
+  const bool with_gradients = placement != Placement::Mean;
+  for_cells<CellCorners>(
+      active, [&](const glm::ivec3& place, const ActiveCell& cell, CellCorners& corners) {
+        fill_corners(density, place, with_gradients, corners);
+        const CellLoops& loops = active.loops(cell);
+        for (std::size_t v = 0; v < cell.vertices; ++v)
+          positions[cell.first_vertex + v] =
+              glm::dvec3(place) + place_vertex(corners, loops.edges[v], placement);
+      });
   return positions;
 }
 
@@ -116,11 +88,9 @@ std::vector<glm::dvec3> vertex_normals(const Lattice<float>& density, const Acti
   require(positions.size() == active.vertices, "{} vertices need as many positions, got {}",
           active.vertices, positions.size());
   std::vector<glm::dvec3> normals(positions.size());
-  for_cells(active, [&](std::size_t row, const ActiveCell& cell) {
-    const glm::ivec3 place = active.place(row, cell);
-    std::array<glm::dvec3, 8> gradient;
-    for (int c = 0; c < 8; ++c)
-      gradient[static_cast<std::size_t>(c)] = sobel_gradient(density, place + corner_of(c));
+  struct Nothing {};
+  for_cells<Nothing>(active, [&](const glm::ivec3& place, const ActiveCell& cell, Nothing) {
+    const std::array<glm::dvec3, 8> gradient = sobel_gradients(density, place);
     for (std::size_t v = cell.first_vertex; v < cell.first_vertex + cell.vertices; ++v)
       normals[v] = unit_or_zero(-trilinear(gradient, positions[v] - glm::dvec3(place)));
   });
@@ -134,13 +104,13 @@ std::vector<float> vertex_materials(std::span<const Lattice<float>> materials,
   require(positions.size() == active.vertices, "{} vertices need as many positions, got {}",
           active.vertices, positions.size());
   std::vector<float> weights(positions.size() * materials.size());
-  for_cells(active, [&](std::size_t row, const ActiveCell& cell) {
-    const glm::ivec3 place = active.place(row, cell);
+  for_cells<CellCorners>(active, [&](const glm::ivec3& place, const ActiveCell& cell,
+                                     CellCorners& corners) {
     for (std::size_t v = cell.first_vertex; v < cell.first_vertex + cell.vertices; ++v) {
       float* out = weights.data() + v * materials.size();
       double sum = 0.0;
       for (std::size_t m = 0; m < materials.size(); ++m) {
-        const CellCorners corners = corners_of(materials[m], place, false);
+        fill_corners(materials[m], place, false, corners);
         out[m] = static_cast<float>(trilinear(corners.density, positions[v] - glm::dvec3(place)));
         sum += out[m];
       }

@@ -8,21 +8,14 @@
 
 #include "mesh/dual_contouring/allocation.h"
 #include "mesh/dual_contouring/faces.h"
+#include "mesh/dual_contouring/gradients.h"
 #include "mesh/dual_contouring/lattice.h"
 #include "mesh/dual_contouring/vertex_place.h"
 
 namespace plumb::mesh::dual_contouring {
 
-/// The density's slope at a sample, per voxel, by differences of its two neighbours along each
-/// axis; where one lies beyond the lattice, by the one that is there. Sharper than Sobel's: what
-/// Placement::Qef and Placement::Particle look at.
-glm::dvec3 central_gradient(const Lattice<float>& density, const glm::ivec3& sample);
-
-/// The same by the 3D Sobel operator, (-1 0 1) by (1 2 1) by (1 2 1) over 32, with the lattice's
-/// border repeated beyond it: what normals come from.
-glm::dvec3 sobel_gradient(const Lattice<float>& density, const glm::ivec3& sample);
-
-/// The densities at a cell's corners, and their central gradients where `with_gradients`.
+/// The densities at a cell's corners, and their central gradients where `with_gradients`; the cell
+/// is one of cells_of(density.box()).
 CellCorners corners_of(const Lattice<float>& density, const glm::ivec3& cell, bool with_gradients);
 
 /// The place of each vertex in units of the lattice: its cell's lower corner and what place_vertex

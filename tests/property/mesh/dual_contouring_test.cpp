@@ -105,7 +105,20 @@ TEST(DualContouring, EnclosesTheSphereFromInside) {
   EXPECT_GT(volume, 4.0 / 3 * kPi * nearest * nearest * nearest);
 }
 
-// Which qef and particle do, too: they lie on the tangent planes' side of the mean.
+// The distance to a torus of radii R and r bends by at most k = 1 / (r - s) or 1 / (R - r - s) per
+// unit, s = sqrt(3) away from it: its second derivatives. A crossing is k / 8 off, a mean of them k
+// / 2 times their variance more, 3/4 at most.
+TEST(DualContouring, PutsMeansOnTheTorus) {
+  const double bend = 1 / (4.2 - std::sqrt(3.0));
+  ASSERT_GT(bend, 1 / (9.1 - 4.2 - std::sqrt(3.0)));
+  for (const glm::dvec3& at : quadrangulate(torus()).position) {
+    const double from_axis = std::sqrt(at.x * at.x + at.y * at.y) - 9.1;
+    const double off = std::sqrt(from_axis * from_axis + at.z * at.z) - 4.2;
+    EXPECT_LT(std::abs(off), bend / 8 + bend / 2 * 0.75 + kFloat);
+  }
+}
+
+// Means lie inside by the sphere's bend; planes through the crossings touch it outside.
 TEST(DualContouring, PutsLeastSquaresNearerToTheSphereThanMeans) {
   const auto worst = [](Placement placement) {
     double off = 0.0;
@@ -170,7 +183,6 @@ TEST(DualContouring, IsAManifoldOnSmoothNoise) {
   EXPECT_EQ(sum.torn + sum.crowded + sum.odd, 0);
 }
 
-// No part is smaller than a sample's cube: the volume is positive, and below that of the samples.
 TEST(DualContouring, TurnsFacesOutwards) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     const Lattice<float> density = random_signs(seed);

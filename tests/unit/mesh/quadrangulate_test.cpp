@@ -195,6 +195,20 @@ TEST(Gradients, WeighTheirNeighboursAsSobelDoes) {
   EXPECT_EQ(central_gradient(density, {1, 1, 1}), glm::dvec3(0.0));
 }
 
+TEST(Gradients, HaveTheSameBitsForACellAsForItsCorners) {
+  const Lattice<float> density = random_lattice({{-2, 0, 0}, {5, 4, 6}}, 8);
+  const LatticeBox cells = cells_of(density.box());
+  for (std::size_t k = 0; k < cells.count(); ++k) {
+    const glm::ivec3 cell = cells.at(k);
+    const auto central = central_gradients(density, cell), sobel = sobel_gradients(density, cell);
+    for (int c = 0; c < 8; ++c) {
+      const glm::ivec3 sample = cell + glm::ivec3(c & 1, c >> 1 & 1, c >> 2);
+      EXPECT_EQ(central[static_cast<std::size_t>(c)], central_gradient(density, sample));
+      EXPECT_EQ(sobel[static_cast<std::size_t>(c)], sobel_gradient(density, sample));
+    }
+  }
+}
+
 TEST(VertexNormals, PointOutOfTheGround) {
   const Lattice<float> density = sampled_lattice(
       {{}, {6, 6, 6}}, [](const glm::dvec3& p) { return std::clamp(3.0 - p.z, 0.0, 1.0); });
