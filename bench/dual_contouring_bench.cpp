@@ -29,9 +29,9 @@ const Lattice<float>& terrain_with_caves() {
         for (int x = -2; x < kSize + 2; ++x) {
           const double hill =
               150 + 60 * noise(x / 90.0, y / 90.0, 1) + 10 * noise(x / 15.0, y / 15.0, 2);
-          const double cave = noise((x + 0.31 * z) / 26.0, (y - 0.23 * z) / 26.0, 3) +
-                              noise((z + 0.17 * y) / 22.0, (x - 0.11 * y) / 26.0, 4);
-          const double ground = std::min(hill - z, 20.0 * (0.10 - cave));
+          const double cave = noise((x + 0.31 * z) / 23.0, (y - 0.23 * z) / 23.0, 3) +
+                              noise((z + 0.17 * y) / 20.0, (x - 0.11 * y) / 23.0, 4);
+          const double ground = std::min(hill - z, 14.0 * (0.0 - cave));
           row[static_cast<std::size_t>(x + 2)] =
               static_cast<float>(std::clamp(0.5 + ground, 0.0, 1.0));
         }

@@ -11,12 +11,13 @@
 namespace plumb::mesh::dual_contouring {
 namespace {
 
-// A singular value of the planes' matrix counts as zero below this part of the largest: where two
-// faces meet at less than about 11 degrees, the vertex stays near the mass point along the edge's
-// height. [Ju et al. 2002, section 2.3] cut at 0.1 as well, of normals of length one.
+// A singular value of the planes' matrix counts as zero below this part of the largest, a customary
+// value: where two faces turn by less than 11 degrees (the tangent of half of it is below 0.1),
+// they are one, and the vertex keeps the mean's place along them.
 constexpr double kSingularPart = 0.1;
 
-// As later authors state of [Schmitz et al. 2009]; the paper itself is not at hand.
+// Steps, damping and end as programs that name [Schmitz, Dietrich & Comba 2009] have them: the k-th
+// step moves by (1 - k / 50) of the mean force. The paper itself was not at hand.
 constexpr int kParticleSteps = 50;
 constexpr double kSmallForce = 1e-3;
 
