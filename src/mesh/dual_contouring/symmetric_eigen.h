@@ -20,19 +20,20 @@ struct SymmetricEigen {
   std::array<glm::dvec3, 3> vector{};  // unit, perpendicular to one another
 };
 
-/// Cyclic Jacobi rotations, a fixed number of sweeps: no libm but sqrt, no test of convergence. It
-/// converges quadratically: after three sweeps nothing is left of a 3x3 matrix but rounding, and
-/// the fourth and fifth are cheap, for rotations by nothing are left out.
+/// Cyclic Jacobi rotations, at most five sweeps, no libm but sqrt. It converges quadratically:
+/// after three or four sweeps nothing is left but rounding, and what lies below the rounding of the
+/// trace is taken for zero, so that the last sweeps cost nothing.
 inline SymmetricEigen eigen_of(const SymmetricMatrix& matrix) {
   constexpr int kSweeps = 5;
   double a[3][3] = {{matrix.diagonal.x, matrix.xy, matrix.xz},
                     {matrix.xy, matrix.diagonal.y, matrix.yz},
                     {matrix.xz, matrix.yz, matrix.diagonal.z}};
   double v[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+  const double nothing = 0x1p-53 * (std::abs(a[0][0]) + std::abs(a[1][1]) + std::abs(a[2][2]));
   constexpr int kPlaces[3][3] = {{0, 1, 2}, {0, 2, 1}, {1, 2, 0}};  // p, q and the third
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     for (const auto& [p, q, r] : kPlaces) {
-      if (a[p][q] == 0.0) continue;
+      if (std::abs(a[p][q]) <= nothing) continue;
       const double theta = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
       const double root = std::sqrt(theta * theta + 1.0);  // infinite where theta^2 is: t is 0
       const double t = theta < 0.0 ? 1.0 / (theta - root) : 1.0 / (theta + root);

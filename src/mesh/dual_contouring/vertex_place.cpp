@@ -1,6 +1,7 @@
 #include "mesh/dual_contouring/vertex_place.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 
@@ -10,12 +11,13 @@
 namespace plumb::mesh::dual_contouring {
 namespace {
 
-// A singular value of the planes' matrix counts as zero below this part of the largest: where two
-// faces meet at less than about 11 degrees, the vertex stays near the mass point along the edge's
-// height. [Ju et al. 2002, section 2.3] cut at 0.1 as well, of normals of length one.
+// A singular value of the planes' matrix counts as zero below this part of the largest, a customary
+// value: where two faces turn by less than 11 degrees (the tangent of half of it is below 0.1),
+// they are one, and the vertex keeps the mean's place along them.
 constexpr double kSingularPart = 0.1;
 
-// As later authors state of [Schmitz et al. 2009]; the paper itself is not at hand.
+// Steps, damping and end as programs that name [Schmitz, Dietrich & Comba 2009] have them: the k-th
+// step moves by (1 - k / 50) of the mean force. The paper itself was not at hand.
 constexpr int kParticleSteps = 50;
 constexpr double kSmallForce = 1e-3;
 
@@ -29,21 +31,54 @@ T trilinear_of(const std::array<T, 8>& corners, const glm::dvec3& at) {
   return along(along(on_x[0], on_x[1], at.y), along(on_x[2], on_x[3], at.y), at.z);
 }
 
-// Where an edge crosses: the place of its lower corner, moved along it.
+// Where an edge crosses: its corners, and how far along it.
 struct Crossing {
-  std::size_t low = 0, high = 0;  // corners
+  std::size_t low = 0, high = 0, axis = 0;
   double part = 0.0;
-  glm::dvec3 place{0.0};
+
+  /// Its coordinate along an axis of the cell.
+  double at(std::size_t along) const {
+    return along == axis ? part : static_cast<double>(low >> along & 1);
+  }
+  glm::dvec3 place() const { return {at(0), at(1), at(2)}; }
 };
 
-Crossing crossing_of(const CellCorners& corners, int edge) {
-  const int axis = edge / 4, low = lower_corner(edge), high = low | 1 << axis;
-  Crossing crossing{static_cast<std::size_t>(low), static_cast<std::size_t>(high), 0.0,
-                    glm::dvec3(low & 1, low >> 1 & 1, low >> 2)};
-  const double a = corners.density[crossing.low], b = corners.density[crossing.high];
-  crossing.part = (0.5 - a) / (b - a);
-  crossing.place[axis] = crossing.part;
-  return crossing;
+struct EdgeEnds {
+  std::size_t low = 0, high = 0, axis = 0;
+};
+
+constexpr std::array<EdgeEnds, kCellEdges> ends_of_edges() {
+  std::array<EdgeEnds, kCellEdges> ends{};
+  for (int edge = 0; edge < kCellEdges; ++edge) {
+    const int low = lower_corner(edge), axis = edge / 4;
+    ends[static_cast<std::size_t>(edge)] = {static_cast<std::size_t>(low),
+                                            static_cast<std::size_t>(low | 1 << axis),
+                                            static_cast<std::size_t>(axis)};
+  }
+  return ends;
+}
+constexpr std::array<EdgeEnds, kCellEdges> kEnds = ends_of_edges();
+
+// Crossings in the order of their edges.
+template <class Body>
+void for_crossings(const CellCorners& corners, std::uint16_t edges, const Body& body) {
+  for (unsigned left = edges; left != 0; left &= left - 1) {
+    const auto& [low, high, axis] = kEnds[static_cast<std::size_t>(std::countr_zero(left))];
+    const double a = corners.density[low], b = corners.density[high];
+    body(Crossing{low, high, axis, (0.5 - a) / (b - a)});
+  }
+}
+
+glm::dvec3 mean_of(const CellCorners& corners, std::uint16_t edges) {
+  double x = 0.0, y = 0.0, z = 0.0;
+  int count = 0;
+  for_crossings(corners, edges, [&](const Crossing& crossing) {
+    x += crossing.at(0);
+    y += crossing.at(1);
+    z += crossing.at(2);
+    ++count;
+  });
+  return glm::dvec3(x, y, z) / static_cast<double>(count);
 }
 
 // The planes of the crossings, about their mean: the force on a particle at mean + x is
@@ -55,29 +90,22 @@ struct Planes {
   glm::dvec3 pull{0.0};     // sum of n (n . (place - mean))
 };
 
-Planes planes_of(const CellCorners& corners, std::uint16_t edges, bool with_normals) {
+Planes planes_of(const CellCorners& corners, std::uint16_t edges) {
   Planes planes;
-  std::array<Crossing, kCellEdges> crossings;
-  for (int edge = 0; edge < kCellEdges; ++edge) {
-    if ((edges >> edge & 1) == 0) continue;
-    const Crossing crossing = crossing_of(corners, edge);
-    planes.mean += crossing.place;
-    crossings[static_cast<std::size_t>(planes.crossings++)] = crossing;
-  }
-  planes.mean /= static_cast<double>(planes.crossings);
-  for (int k = 0; with_normals && k < planes.crossings; ++k) {
-    const Crossing& crossing = crossings[static_cast<std::size_t>(k)];
+  planes.mean = mean_of(corners, edges);
+  planes.crossings = std::popcount(edges);
+  for_crossings(corners, edges, [&](const Crossing& crossing) {
     const glm::dvec3 &a = corners.gradient[crossing.low], &b = corners.gradient[crossing.high];
     const glm::dvec3 gradient = a + crossing.part * (b - a);
     const double squared = dot(gradient, gradient);
-    if (!(squared > 0.0)) continue;  // no plane where nothing is known of it
+    if (!(squared > 0.0)) return;  // no plane where nothing is known of it
     const glm::dvec3 n = gradient / std::sqrt(squared);
     planes.normals.diagonal += n * n;
     planes.normals.xy += n.x * n.y;
     planes.normals.xz += n.x * n.z;
     planes.normals.yz += n.y * n.z;
-    planes.pull += n * dot(n, crossing.place - planes.mean);
-  }
+    planes.pull += n * dot(n, crossing.place() - planes.mean);
+  });
   return planes;
 }
 
@@ -124,8 +152,8 @@ const char* name_of(Placement placement) {
 }
 
 glm::dvec3 place_vertex(const CellCorners& corners, std::uint16_t edges, Placement placement) {
-  const Planes planes = planes_of(corners, edges, placement != Placement::Mean);
-  if (placement == Placement::Mean) return planes.mean;
+  if (placement == Placement::Mean) return mean_of(corners, edges);
+  const Planes planes = planes_of(corners, edges);
   const glm::dvec3 place =
       planes.mean + (placement == Placement::Qef ? least_squares(planes) : pulled_particle(planes));
   return {std::clamp(place.x, 0.0, 1.0), std::clamp(place.y, 0.0, 1.0),

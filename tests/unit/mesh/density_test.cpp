@@ -118,7 +118,7 @@ TEST(MaterialDensity, RefusesAirAndStrangers) {
   EXPECT_THROW(material_density_of(field, 3, {{}, {1, 1, 1}}), std::invalid_argument);
 }
 
-// Five columns, three rows; stack (i, j) has (1 + i + 5 j) eighths of a voxel, or is a hole.
+// Five columns, three rows, the lowest first; o is a hole.
 std::size_t stand_in(const std::string& map, int i, int j) {
   std::vector<std::vector<Layer>> stacks;
   for (const char c : map)
@@ -148,6 +148,11 @@ TEST(NearestStacks, AreTheLowestRowThenTheLowestColumnOfSeveral) {
                      ".oooo",
                      1, 1),
             10u);  // a diagonal step before two columns
+  EXPECT_EQ(stand_in(".oooo"
+                     "ooooo"
+                     "oo.oo",
+                     2, 0),
+            0u);  // two columns away before two rows above
 }
 
 TEST(NearestStacks, RefuseAFieldOfHoles) {
