@@ -62,7 +62,7 @@ void check_output(const BuildOptions& options) {
     input_error("-o '{}' is the terrain itself", options.output);
 }
 
-void write(const fs::path& path, const patches::Bytes& bytes, const std::string& named) {
+void write(const fs::path& path, const Bytes& bytes, const std::string& named) {
   errno = 0;
   std::ofstream file(path, std::ios::binary | std::ios::trunc);
   file.write(reinterpret_cast<const char*>(bytes.data()),

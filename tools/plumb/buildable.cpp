@@ -8,8 +8,8 @@
 namespace plumb::tool {
 namespace {
 
-mesh::patch_quadtree::Bytes tessellation_file(const terrain::Heightfield& field,
-                                              const mesh::patch_quadtree::EncodeOptions& options) {
+Bytes tessellation_file(const terrain::Heightfield& field,
+                        const mesh::patch_quadtree::EncodeOptions& options) {
   mesh::tessellation::BuildOptions with_bounds;
   with_bounds.heights = options;
   return mesh::tessellation::build(field, with_bounds);

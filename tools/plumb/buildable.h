@@ -13,8 +13,7 @@ namespace plumb::tool {
 struct Buildable {
   std::string method;  // "tessellation"
   /// The whole file. Throws as encode_heights does.
-  std::function<mesh::patch_quadtree::Bytes(const terrain::Heightfield&,
-                                            const mesh::patch_quadtree::EncodeOptions&)>
+  std::function<Bytes(const terrain::Heightfield&, const mesh::patch_quadtree::EncodeOptions&)>
       file;
 };
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/patch_quadtree/byte_stream.h"
+#include "core/byte_stream.h"
 #include "mesh/patch_quadtree/patch_layout.h"
 #include "mesh/patch_quadtree/quantiser.h"
 

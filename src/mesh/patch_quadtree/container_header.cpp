@@ -8,7 +8,7 @@
 
 #include "core/check.h"
 #include "core/hash.h"
-#include "mesh/patch_quadtree/little_endian.h"
+#include "core/little_endian.h"
 
 namespace plumb::mesh::patch_quadtree {
 namespace {

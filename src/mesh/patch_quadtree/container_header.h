@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/patch_quadtree/byte_stream.h"
+#include "core/byte_stream.h"
 #include "mesh/patch_quadtree/container.h"
 
 namespace plumb::mesh::patch_quadtree {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/patch_quadtree/byte_stream.h"
+#include "core/byte_stream.h"
 #include "mesh/patch_quadtree/child_samples.h"
 #include "mesh/patch_quadtree/patch_numbers.h"
 #include "mesh/patch_quadtree/rans.h"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-#include "mesh/patch_quadtree/byte_stream.h"
+#include "core/byte_stream.h"
 #include "mesh/patch_quadtree/patch_numbers.h"
 
 namespace plumb::mesh::patch_quadtree {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/patch_quadtree/byte_stream.h"
+#include "core/byte_stream.h"
 #include "mesh/patch_quadtree/rans.h"
 
 namespace plumb::mesh::patch_quadtree {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <span>
 
+#include "core/byte_stream.h"
 #include "core/grid.h"
-#include "mesh/patch_quadtree/byte_stream.h"
 
 namespace plumb::mesh::patch_quadtree {
 

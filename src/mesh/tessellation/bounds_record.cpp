@@ -4,14 +4,10 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "mesh/patch_quadtree/little_endian.h"
+#include "core/little_endian.h"
 
 namespace plumb::mesh::tessellation {
 
-using patch_quadtree::ByteReader;
-using patch_quadtree::Bytes;
-using patch_quadtree::GammaReader;
-using patch_quadtree::GammaWriter;
 using patch_quadtree::RansCounts;
 using patch_quadtree::RansDecoder;
 using patch_quadtree::RansSymbol;
@@ -87,7 +83,7 @@ template <class Put, class Escape>
 void full_symbols(const PatchBounds& bounds, const Put& put, const Escape& escape) {
   PatchBounds copy = bounds;
   visit_full(copy, [&](const Foretold& expected, std::uint8_t code) {
-    const std::uint32_t number = patch_quadtree::folded(int{code} - expected.code);
+    const std::uint32_t number = folded(int{code} - expected.code);
     const std::uint32_t high = number >> kLowBits;
     put(expected.context, std::min(high, kEscape));
     if (high >= kEscape) escape(high - kEscape + 1);
@@ -99,7 +95,7 @@ void thinned_symbols(const PatchBounds& bounds, const ForetoldBounds& foretold, 
                      const Escape& escape) {
   PatchBounds copy = bounds;
   visit_thinned(copy, foretold, [&](const Foretold& expected, std::uint8_t code) {
-    const std::uint32_t number = patch_quadtree::folded(int{code} - expected.code);
+    const std::uint32_t number = folded(int{code} - expected.code);
     put(expected.context, std::min(number, kEscape));
     if (number >= kEscape) escape(number - kEscape + 1);
   });
@@ -116,7 +112,7 @@ class SymbolWriter {
   void escape(std::uint32_t rest) { escapes_.put(rest); }
   Bytes take() const {
     Bytes bytes;
-    patch_quadtree::put_part(escapes_.bytes(), bytes);
+    put_part(escapes_.bytes(), bytes);
     const Bytes coded = patch_quadtree::rans_encode(symbols_);
     bytes.insert(bytes.end(), coded.begin(), coded.end());
     return bytes;
@@ -154,7 +150,7 @@ class SymbolReader {
 
 // False if the number leads to no code.
 bool set_code(int expected, std::uint32_t number, std::uint8_t& code) {
-  const std::int64_t value = std::int64_t{expected} + patch_quadtree::unfolded(number);
+  const std::int64_t value = std::int64_t{expected} + unfolded(number);
   code = static_cast<std::uint8_t>(std::clamp<std::int64_t>(value, 0, 255));
   return value == code;
 }
@@ -177,10 +173,10 @@ Bytes encode_bounds(const PatchBounds& bounds, const ForetoldBounds& foretold,
                     std::span<const RansTable> tables) {
   Bytes bytes;
   bytes.push_back(bounds.is_void() ? 0 : 1);
-  patch_quadtree::put(bounds.published_m, bytes);
+  put(bounds.published_m, bytes);
   if (bounds.is_void()) return bytes;
-  patch_quadtree::put(bounds.low_m, bytes);
-  patch_quadtree::put(bounds.high_m, bytes);
+  put(bounds.low_m, bytes);
+  put(bounds.high_m, bytes);
   SymbolWriter full(tables), thinned(tables);
   const auto into = [](SymbolWriter& writer) {
     return [&writer](std::size_t context, std::uint32_t symbol) { writer.put(context, symbol); };
@@ -190,7 +186,7 @@ Bytes encode_bounds(const PatchBounds& bounds, const ForetoldBounds& foretold,
   };
   full_symbols(bounds, into(full), rest_into(full));
   thinned_symbols(bounds, foretold, into(thinned), rest_into(thinned));
-  patch_quadtree::put_part(full.take(), bytes);
+  put_part(full.take(), bytes);
   const Bytes last = thinned.take();
   bytes.insert(bytes.end(), last.begin(), last.end());
   return bytes;
@@ -203,11 +199,11 @@ bool decode_bounds(std::span<const std::uint8_t> bytes, int blocks, int levels,
   bounds = {};
   bounds.blocks = blocks;
   bounds.levels = levels;
-  bounds.published_m = patch_quadtree::take<float>(reader);
+  bounds.published_m = take<float>(reader);
   if (kind > 1 || !(bounds.published_m >= 0.0f)) return false;
   if (kind == 0) return !reader.overrun() && reader.rest().empty();
-  bounds.low_m = patch_quadtree::take<float>(reader);
-  bounds.high_m = patch_quadtree::take<float>(reader);
+  bounds.low_m = take<float>(reader);
+  bounds.high_m = take<float>(reader);
   if (!std::isfinite(bounds.low_m) || !std::isfinite(bounds.high_m) || bounds.low_m > bounds.high_m)
     return false;
   SymbolReader symbols(reader.bytes(reader.number()), tables);

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/patch_quadtree/byte_stream.h"
+#include "core/byte_stream.h"
 #include "mesh/patch_quadtree/rans_models.h"
 #include "mesh/tessellation/patch_bounds.h"
 
@@ -26,8 +26,8 @@ struct ForetoldBounds {
 void count_bounds(const PatchBounds& bounds, const ForetoldBounds& foretold,
                   std::span<patch_quadtree::RansCounts> counts);
 
-patch_quadtree::Bytes encode_bounds(const PatchBounds& bounds, const ForetoldBounds& foretold,
-                                    std::span<const patch_quadtree::RansTable> tables);
+Bytes encode_bounds(const PatchBounds& bounds, const ForetoldBounds& foretold,
+                    std::span<const patch_quadtree::RansTable> tables);
 
 /// Everything but the bounds of thinnings, which are none; false if the bytes are no such record.
 /// `blocks` and `levels` are those of the file.

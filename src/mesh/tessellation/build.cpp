@@ -5,15 +5,13 @@
 #include <cmath>
 
 #include "core/check.h"
+#include "core/little_endian.h"
 #include "core/parallel.h"
-#include "mesh/patch_quadtree/little_endian.h"
 #include "mesh/tessellation/bounds_record.h"
 #include "mesh/tessellation/published_error.h"
 
 namespace plumb::mesh::tessellation {
 
-using patch_quadtree::ByteReader;
-using patch_quadtree::Bytes;
 using patch_quadtree::ContainerHeader;
 using patch_quadtree::ContainerRecords;
 using patch_quadtree::EncodedHeights;
@@ -66,9 +64,9 @@ Measured measured_bounds(const terrain::HeightGrid& field_m, const Grid<float>& 
 Bytes parameter_bytes(int block_cells, const BoundScale& scale,
                       const std::vector<RansCounts>& counts) {
   Bytes bytes;
-  patch_quadtree::put_number(static_cast<std::uint64_t>(block_cells), bytes);
-  patch_quadtree::put(scale.unit_m, bytes);
-  patch_quadtree::put_part(patch_quadtree::rans_model_bytes(counts), bytes);
+  put_number(static_cast<std::uint64_t>(block_cells), bytes);
+  put(scale.unit_m, bytes);
+  put_part(patch_quadtree::rans_model_bytes(counts), bytes);
   return bytes;
 }
 
@@ -85,7 +83,7 @@ Parameters parameters_of(const ContainerHeader& header, const std::string& named
   ByteReader reader(header.parameters);
   Parameters parameters;
   const std::uint64_t cells = reader.number();
-  parameters.scale.unit_m = patch_quadtree::take<double>(reader);
+  parameters.scale.unit_m = take<double>(reader);
   const auto models = reader.bytes(reader.number());
   const bool fits = cells >= 8 && cells <= 64 && std::has_single_bit(cells) &&
                     cells <= static_cast<std::uint64_t>(header.layout.patch_cells) &&

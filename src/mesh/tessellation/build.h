@@ -23,7 +23,7 @@ struct BuildOptions {
 ///   (1) What encode_heights promises of heights.
 ///   (2) Every patch's bounds hold for what is drawn from the heights as they are decoded.
 /// Throws as encode_heights does, and std::invalid_argument for other block_cells.
-patch_quadtree::Bytes build(const terrain::Heightfield& field, const BuildOptions& options);
+Bytes build(const terrain::Heightfield& field, const BuildOptions& options);
 
 /// What a file says beside heights: bounds of all patches by their number, but for those of
 /// thinnings.

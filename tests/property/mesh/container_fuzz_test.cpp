@@ -11,10 +11,10 @@
 
 #include "core/check.h"
 #include "core/hash.h"
+#include "core/little_endian.h"
 #include "core/parallel.h"
 #include "mesh/patch_quadtree/coded_terrain.h"
 #include "mesh/patch_quadtree/container_header.h"
-#include "mesh/patch_quadtree/little_endian.h"
 #include "property/mesh/largest_request.h"
 #include "support/random_scene.h"
 #include "terrain/terrain_source.h"

@@ -12,7 +12,6 @@
 namespace plumb::mesh::tessellation {
 namespace {
 
-using patch_quadtree::Bytes;
 using patch_quadtree::RansCounts;
 using patch_quadtree::RansTable;
 using test_support::Random;

@@ -8,10 +8,10 @@
 #include <string>
 #include <type_traits>
 
+#include "core/byte_stream.h"
 #include "core/check.h"
-#include "mesh/patch_quadtree/byte_stream.h"
 
-namespace plumb::mesh::patch_quadtree {
+namespace plumb {
 
 template <class T>
 using WordOf = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>;
@@ -26,8 +26,8 @@ void put(T value, Bytes& bytes) {
 
 /// A size of four bytes. Throws std::invalid_argument, naming what it is of, if it needs more.
 inline void put_size(std::size_t size, const char* of, Bytes& bytes) {
-  require(size <= std::numeric_limits<std::uint32_t>::max(),
-          "{} must be under 4 GiB in a container of patches, got {} bytes", of, size);
+  require(size <= std::numeric_limits<std::uint32_t>::max(), "{} must be under 4 GiB, got {} bytes",
+          of, size);
   put(static_cast<std::uint32_t>(size), bytes);
 }
 
@@ -55,7 +55,7 @@ class LittleEndianReader {
 
   template <class T>
   T take() {
-    return patch_quadtree::take<T>(reader_);
+    return plumb::take<T>(reader_);
   }
   Bytes bytes() {
     const auto part = reader_.bytes(take<std::uint32_t>());
@@ -72,4 +72,4 @@ class LittleEndianReader {
   ByteReader reader_;
 };
 
-}  // namespace plumb::mesh::patch_quadtree
+}  // namespace plumb

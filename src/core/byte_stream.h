@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace plumb::mesh::patch_quadtree {
+namespace plumb {
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -126,4 +126,4 @@ class GammaReader {
   int left_ = 0;
 };
 
-}  // namespace plumb::mesh::patch_quadtree
+}  // namespace plumb

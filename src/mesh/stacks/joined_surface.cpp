@@ -1,0 +1,55 @@
+#include "mesh/stacks/joined_surface.h"
+
+#include <unordered_map>
+
+namespace plumb::mesh::stacks {
+namespace {
+
+struct NameHash {
+  std::size_t operator()(const VertexName& name) const {
+    std::uint64_t x = static_cast<std::uint32_t>(name.cell.x);
+    x = x * 0x9e3779b97f4a7c15ULL + static_cast<std::uint32_t>(name.cell.y);
+    x = x * 0x9e3779b97f4a7c15ULL + static_cast<std::uint32_t>(name.cell.z);
+    x = x * 0x9e3779b97f4a7c15ULL + static_cast<std::uint32_t>(4 * name.level + name.loop);
+    return x ^ x >> 29;
+  }
+};
+
+// A cell within one node alone belongs to no other: those on its rims are what is shared.
+bool may_be_shared(const VertexName& name) {
+  for (int axis = 0; axis < 3; ++axis) {
+    // The last cell of a node reaches into the next one; a coarser level's cells are shared.
+    if ((name.cell[axis] & (kNodeVoxels / 2 - 1)) == kNodeVoxels / 2 - 1) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+JoinedSurface joined(std::span<const NodeMesh* const> meshes) {
+  JoinedSurface surface;
+  std::unordered_map<VertexName, std::uint32_t, NameHash> shared;
+  std::vector<std::uint32_t> index;
+  for (const NodeMesh* mesh : meshes) {
+    surface.first_face.push_back(static_cast<std::uint32_t>(surface.faces.size()));
+    index.resize(mesh->names.size());
+    for (std::size_t k = 0; k < mesh->names.size(); ++k) {
+      const auto next = static_cast<std::uint32_t>(surface.names.size());
+      index[k] = next;
+      if (may_be_shared(mesh->names[k]))
+        index[k] = shared.try_emplace(mesh->names[k], next).first->second;
+      if (index[k] != next) continue;
+      surface.names.push_back(mesh->names[k]);
+      surface.position.push_back(mesh->position[k]);
+      surface.normal.push_back(mesh->normal[k]);
+    }
+    for (Face face : mesh->faces) {
+      for (std::uint32_t& corner : face) corner = corner == kNoCorner ? kNoCorner : index[corner];
+      surface.faces.push_back(face);
+    }
+  }
+  surface.first_face.push_back(static_cast<std::uint32_t>(surface.faces.size()));
+  return surface;
+}
+
+}  // namespace plumb::mesh::stacks

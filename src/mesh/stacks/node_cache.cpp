@@ -1,0 +1,51 @@
+#include "mesh/stacks/node_cache.h"
+
+#include "core/parallel.h"
+
+namespace plumb::mesh::stacks {
+namespace {
+
+// Two bits a place. Only coarser and finer neighbours change a mesh, and whether there is any.
+std::uint64_t packed(const Surroundings& around) {
+  std::uint64_t key = 0;
+  for (const Beside beside : around) key = key << 2 | static_cast<std::uint64_t>(beside);
+  return key;
+}
+
+}  // namespace
+
+std::vector<std::shared_ptr<const NodeMesh>> NodeCache::meshes(const Octree& octree,
+                                                               std::span<const Node> nodes) {
+  std::vector<std::shared_ptr<const NodeMesh>> found(nodes.size());
+  std::vector<Surroundings> around(nodes.size());
+  std::vector<std::size_t> missing;
+  {
+    const std::lock_guard lock(mutex_);
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      around[k] = octree.surroundings(nodes[k]);
+      const auto mesh = meshes_.find({nodes[k], packed(around[k])});
+      if (mesh != meshes_.end()) {
+        found[k] = mesh->second;
+      } else {
+        missing.push_back(k);
+      }
+    }
+  }
+  parallel_for(static_cast<std::int64_t>(missing.size()), 1, [&](std::int64_t i) {
+    const std::size_t k = missing[static_cast<std::size_t>(i)];
+    found[k] =
+        std::make_shared<const NodeMesh>(node_mesh(nodes[k], around[k], densities_, options_));
+  });
+  const std::lock_guard lock(mutex_);
+  for (const std::size_t k : missing) meshes_.try_emplace({nodes[k], packed(around[k])}, found[k]);
+  return found;
+}
+
+std::size_t NodeCache::bytes() const {
+  const std::lock_guard lock(mutex_);
+  std::size_t bytes = 0;
+  for (const auto& [key, mesh] : meshes_) bytes += mesh->bytes();
+  return bytes;
+}
+
+}  // namespace plumb::mesh::stacks

@@ -1,0 +1,39 @@
+// Node meshes, each made once.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "mesh/stacks/node_mesh.h"
+#include "mesh/stacks/octree.h"
+
+namespace plumb::mesh::stacks {
+
+/// The meshes of nodes by what lies beside them. Safe to ask from several threads.
+class NodeCache {
+ public:
+  NodeCache(DensitySource densities, const NodeMeshOptions& options)
+      : densities_(std::move(densities)), options_(options) {}
+
+  /// Of every drawn node of a balanced tree, in its order; those that are not there yet are made,
+  /// in parallel.
+  std::vector<std::shared_ptr<const NodeMesh>> meshes(const Octree& octree,
+                                                      std::span<const Node> nodes);
+  /// Of all meshes that are kept.
+  std::size_t bytes() const;
+
+ private:
+  using Key = std::pair<Node, std::uint64_t>;  // a node and its surroundings
+
+  DensitySource densities_;
+  NodeMeshOptions options_;
+  mutable std::mutex mutex_;
+  std::map<Key, std::shared_ptr<const NodeMesh>> meshes_;
+};
+
+}  // namespace plumb::mesh::stacks

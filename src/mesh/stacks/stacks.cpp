@@ -1,0 +1,132 @@
+#include "mesh/stacks/stacks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "mesh/stacks/joined_surface.h"
+
+namespace plumb::mesh::stacks {
+namespace {
+
+// Names, levels and triangles of what is joined.
+class Finisher {
+ public:
+  Finisher(const StackDensities& densities, std::span<const Node> nodes,
+           const JoinedSurface& joined)
+      : densities_(densities), nodes_(nodes), joined_(joined) {}
+
+  DrawnSurface surface() {
+    mesh_->origin_m = {densities_.field().origin_m, 0.0};
+    for (const glm::dvec3& place : joined_.position)
+      mesh_->vertices_m.push_back(densities_.metres(place));
+    for (std::size_t k = 0; k < nodes_.size(); ++k) add_node(k);
+    surface_.cost.vertices = static_cast<std::int64_t>(mesh_->vertices_m.size());
+    surface_.cost.triangles = static_cast<std::int64_t>(mesh_->triangles.size());
+    surface_.mesh = std::move(mesh_);
+    return std::move(surface_);
+  }
+
+ private:
+  void add_node(std::size_t k) {
+    const Node& node = nodes_[k];
+    Patch patch;
+    patch.first_triangle = static_cast<std::uint32_t>(mesh_->triangles.size());
+    for (std::uint32_t f = joined_.first_face[k]; f < joined_.first_face[k + 1]; ++f) {
+      const Face& face = joined_.faces[f];
+      mesh_->triangles.push_back({face[0], face[1], face[2]});
+      if (face[3] != kNoCorner) mesh_->triangles.push_back({face[0], face[2], face[3]});
+    }
+    patch.triangle_count =
+        static_cast<std::uint32_t>(mesh_->triangles.size()) - patch.first_triangle;
+    if (patch.triangle_count == 0) return;
+    patch.lod = node.level;
+    patch.name =
+        fmt::format("node ({}, {}, {}) of level {}", node.at.x, node.at.y, node.at.z, node.level);
+    surface_.triangle_lod.insert(surface_.triangle_lod.end(), patch.triangle_count,
+                                 static_cast<std::uint8_t>(node.level));
+    surface_.patches.push_back(std::move(patch));
+  }
+
+  const StackDensities& densities_;
+  std::span<const Node> nodes_;
+  const JoinedSurface& joined_;
+  std::shared_ptr<TriangleMesh> mesh_ = std::make_shared<TriangleMesh>();
+  DrawnSurface surface_;
+};
+
+DrawnSurface surface_of(const Prepared& prepared, const Octree& octree) {
+  const std::vector<Node> nodes = octree.drawn();
+  const auto meshes = prepared.cache->meshes(octree, nodes);
+  std::vector<const NodeMesh*> pointers;
+  std::int64_t vanished = 0;
+  for (const auto& mesh : meshes) {
+    pointers.push_back(mesh.get());
+    vanished += mesh->faces_vanished;
+  }
+  DrawnSurface surface = Finisher(*prepared.densities, nodes, joined(pointers)).surface();
+  surface.cost.nodes_visited = static_cast<std::int64_t>(nodes.size());
+  surface.cost.bytes_resident = static_cast<std::int64_t>(prepared.densities->bytes());
+  for (const auto& mesh : meshes)
+    surface.cost.bytes_resident += static_cast<std::int64_t>(mesh->bytes());
+  surface.notes.push_back(
+      fmt::format("{} nodes drawn, {} with a surface; {} faces between levels fell together",
+                  nodes.size(), surface.patches.size(), vanished));
+  return surface;
+}
+
+Octree octree_of(const Prepared& prepared) { return Octree(prepared.densities->size()); }
+
+double edge_m(const StackDensities& densities, const Node& node) {
+  const terrain::StackField& field = densities.field();
+  return kNodeVoxels * static_cast<double>(1 << node.level) *
+         std::max({field.dx_m, field.dy_m, field.voxel_m});
+}
+
+}  // namespace
+
+Prepared prepare(terrain::StackField field, const Parameters& parameters) {
+  Prepared prepared;
+  prepared.parameters = parameters;
+  prepared.densities = std::make_shared<const StackDensities>(std::move(field), parameters.filter);
+  prepared.cache = std::make_shared<NodeCache>(
+      [densities = prepared.densities](int level, const dual_contouring::LatticeBox& box) {
+        return (*densities)(level, box);
+      },
+      NodeMeshOptions{parameters.variant, parameters.placement,
+                      glm::ivec2(prepared.densities->size())});
+  return prepared;
+}
+
+double extent_px(const Camera& camera, const Box& box, double edge_m) {
+  double squared = 0.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double away =
+        std::max({box.low[axis] - camera.eye_m[axis], camera.eye_m[axis] - box.high[axis], 0.0});
+    squared += away * away;
+  }
+  return squared > 0.0 ? edge_m * camera.gamma_h / std::sqrt(squared)
+                       : std::numeric_limits<double>::infinity();
+}
+
+DrawnSurface draw(const Prepared& prepared, const Camera& camera, const Tolerance& tolerance) {
+  const StackDensities& densities = *prepared.densities;
+  const Camera local = relative_to(camera, {densities.field().origin_m, 0.0});
+  Octree octree = octree_of(prepared);
+  octree.divide([&](const Node& node) {
+    return extent_px(local, densities.box(node), edge_m(densities, node)) > tolerance.value;
+  });
+  octree.balance();
+  return surface_of(prepared, octree);
+}
+
+DrawnSurface finest(const Prepared& prepared) {
+  Octree octree = octree_of(prepared);
+  octree.divide([](const Node&) { return true; });
+  return surface_of(prepared, octree);
+}
+
+}  // namespace plumb::mesh::stacks
