@@ -104,6 +104,43 @@ TEST(Allocate, SplitsTwoCellsThatShareTheirFace) {
   }
 }
 
+// Blocks that begin and end within words of 64 cells; random signs, so that many cells are split.
+TEST(Allocate, SeesWhatLiesRoundABlock) {
+  const Lattice<float> density = random_lattice({{-9, 0, 3}, {150, 8, 7}}, 6);
+  const ActiveCells whole = allocate(density, Variant::Conservative);
+  for (const LatticeBox& voxels : {LatticeBox{{-7, 2, 5}, {146, 4, 3}},
+                                   {{56, 3, 5}, {1, 3, 3}},
+                                   {{55, 2, 5}, {64, 4, 2}},
+                                   {{61, 2, 6}, {6, 1, 1}}}) {
+    const LatticeBox box{voxels.low - 1, voxels.size + 1};
+    const ActiveCells part = allocate(density, Variant::Conservative, voxels);
+    EXPECT_EQ(part.box, box);
+    std::size_t k = 0;
+    for (std::size_t row = 0; row < whole.rows(); ++row) {
+      for (std::uint32_t c = whole.first_cell[row]; c < whole.first_cell[row + 1]; ++c) {
+        const ActiveCell& cell = whole.cells[c];
+        const glm::ivec3 place = whole.place(row, cell);
+        if (!box.contains(place)) continue;
+        ASSERT_LT(k, part.cells.size());
+        EXPECT_EQ(part.cells[k].x, place.x - box.low.x);
+        EXPECT_EQ(part.cells[k].mask, cell.mask);
+        EXPECT_EQ(part.cells[k].split, cell.split);
+        ++k;
+      }
+    }
+    EXPECT_EQ(k, part.cells.size());
+  }
+}
+
+TEST(Allocate, RefusesCellsBeyondTheLattice) {
+  const Lattice<float> density({{}, {4, 4, 4}});
+  EXPECT_NO_THROW(allocate(density, Variant::Published, {{1, 1, 1}, {2, 2, 2}}));
+  EXPECT_THROW(allocate(density, Variant::Published, {{1, 1, 1}, {2, 2, 3}}),
+               std::invalid_argument);
+  EXPECT_THROW(allocate(density, Variant::Published, {{0, 1, 1}, {1, 1, 1}}),
+               std::invalid_argument);
+}
+
 TEST(Quadrangulate, DrawsACubeRoundOneSample) {
   const QuadMesh mesh = quadrangulate(one_sample());
   const testing::QuadMeshCheck check = testing::check_quads(mesh);
