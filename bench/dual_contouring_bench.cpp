@@ -4,6 +4,7 @@
 
 #include "bench_support.h"
 #include "mesh/dual_contouring/attributes.h"
+#include "mesh/dual_contouring/density.h"
 #include "mesh/dual_contouring/quadrangulate.h"
 #include "mesh/dual_contouring/smoothing.h"
 #include "terrain/gradient_noise.h"
@@ -91,6 +92,23 @@ void stage_normals(benchmark::State& state) {
   set_voxels(state);
 }
 
+// A terrain of the same size as stacks, one layer each.
+void coverage(benchmark::State& state) {
+  const terrain::StackField field = [] {
+    terrain::StackField stacks;
+    stacks.columns = stacks.rows = stacks.voxels = kSize;
+    stacks.materials = {{"air"}, {"rock"}};
+    terrain::StackWriter writer(stacks);
+    for (int k = 0; k < kSize * kSize; ++k) {
+      const double hill = terrain::gradient_noise(k % kSize / 90.0, k / kSize / 90.0, 1);
+      writer.add(std::vector<terrain::Layer>{{0.0F, static_cast<float>(150 + 60 * hill), 1}});
+    }
+    return stacks;
+  }();
+  measure(state, [&] { benchmark::DoNotOptimize(density_of(field, {{}, glm::ivec3(kSize)})); });
+  set_voxels(state);
+}
+
 void filter(benchmark::State& state, Filter filter) {
   measure(state, [&] { benchmark::DoNotOptimize(smoothed(terrain_with_caves(), filter)); });
   set_voxels(state);
@@ -107,6 +125,7 @@ void add_all() {
   add("allocation", stage_allocate);
   add("quads", stage_quads);
   add("normals", stage_normals);
+  add("density", coverage);
   add("smoothing/gauss1", filter, Filter{Kernel::Gauss, 1});
   add("smoothing/gauss2", filter, Filter{Kernel::Gauss, 2});
 }

@@ -37,6 +37,7 @@ struct ActiveCell {
 struct ActiveCells {
   Variant variant = Variant::Conservative;
   LatticeBox box;                         // of all cells
+  LatticeBox edges;                       // the lower ends of the edges that get faces
   std::vector<std::uint32_t> first_cell;  // of each row (y, z), y fastest; one more at the end
   std::vector<std::uint32_t> first_quad;  // the same
   std::vector<ActiveCell> cells;
@@ -59,10 +60,17 @@ struct ActiveCells {
   }
 };
 
-/// Splits are decided for cells whose neighbour lies in the lattice too.
+/// Of all cells of the lattice. Splits are decided for cells whose neighbour lies in it too.
 /// Throws std::invalid_argument for more than 2^32 - 2 vertices or faces.
 /// Source: [Löffler, Müller & Schumann 2011, section 3.2.3], with prefix sums for its atomic
 /// counters.
 ActiveCells allocate(const Lattice<float>& density, Variant variant);
+
+/// Of a block of voxels, as the nodes of an octree are: the edges whose lower end is one of them
+/// get faces, their cells and the ones one before on every axis vertices. What lies round them is
+/// seen: with two more samples on every side, blocks of one field agree on the cells that they
+/// share, and each edge belongs to one block.
+/// Throws std::invalid_argument for cells beyond the lattice, too.
+ActiveCells allocate(const Lattice<float>& density, Variant variant, const LatticeBox& voxels);
 
 }  // namespace plumb::mesh::dual_contouring

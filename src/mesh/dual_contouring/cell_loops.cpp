@@ -21,10 +21,10 @@ Face face_of(int number) {
           {edge_at(base, a), edge_at(a1, b), edge_at(b1, a), edge_at(base, b)}};
 }
 
-// The curve of a face that an edge of it belongs to: the other edge that the curve ends on.
+// The curves on a face, each by the two edges that it ends on.
 struct Curves {
   int count = 0;
-  std::array<std::array<int, 2>, 2> ends{};  // edges
+  std::array<std::array<int, 2>, 2> ends{};
 };
 
 // Curves that cut off the runs of corners that are inside (or, if so said, outside).

@@ -50,19 +50,20 @@ class RowFaces {
   void write() {
     for (std::uint32_t k = active_.first_cell[row_]; k < active_.first_cell[row_ + 1]; ++k) {
       const ActiveCell& cell = active_.cells[k];
+      if (!active_.edges.contains(active_.place(row_, cell))) continue;
       minus_y_.go_to(cell.x);
       minus_z_.go_to(cell.x);
       minus_yz_.go_to(cell.x);
       const auto differs = [&](int axis) {
         return ((cell.mask ^ cell.mask >> (1 << axis)) & 1) != 0;
       };
-      const ActiveCell* before = active_.cells.data() + k - 1;  // at x - 1 where it is looked at
+      const auto before = [&]() -> const ActiveCell& { return active_.cells[k - 1]; };
       if (has_y_ && has_z_ && differs(0))
         put<0>(minus_yz_.here(), minus_z_.here(), cell, minus_y_.here());
       if (has_z_ && cell.x > 0 && differs(1))
-        put<1>(minus_z_.before(), *before, cell, minus_z_.here());
+        put<1>(minus_z_.before(), before(), cell, minus_z_.here());
       if (has_y_ && cell.x > 0 && differs(2))
-        put<2>(minus_y_.before(), minus_y_.here(), cell, *before);
+        put<2>(minus_y_.before(), minus_y_.here(), cell, before());
     }
   }
 

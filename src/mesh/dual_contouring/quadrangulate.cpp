@@ -4,9 +4,21 @@
 
 namespace plumb::mesh::dual_contouring {
 
-QuadMesh quadrangulate(const Lattice<float>& density, const Options& options) {
-  const ActiveCells active = allocate(density, options.variant);
+namespace {
+
+QuadMesh mesh_of(const Lattice<float>& density, const Options& options, const ActiveCells& active) {
   return {vertex_positions(density, active, options.placement), quads_of(active)};
+}
+
+}  // namespace
+
+QuadMesh quadrangulate(const Lattice<float>& density, const Options& options) {
+  return mesh_of(density, options, allocate(density, options.variant));
+}
+
+QuadMesh quadrangulate(const Lattice<float>& density, const Options& options,
+                       const LatticeBox& voxels) {
+  return mesh_of(density, options, allocate(density, options.variant, voxels));
 }
 
 TriangleMesh to_triangles(const QuadMesh& mesh, const glm::dvec3& origin_m,

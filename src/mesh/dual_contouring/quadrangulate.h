@@ -34,6 +34,11 @@ struct QuadMesh {
 /// Source: [Löffler, Müller & Schumann 2011, section 3.2]; [Nielson 2004].
 QuadMesh quadrangulate(const Lattice<float>& density, const Options& options = {});
 
+/// The faces of the edges whose lower end is one of a block of voxels (allocation.h): what lies
+/// round it in the lattice is looked at.
+QuadMesh quadrangulate(const Lattice<float>& density, const Options& options,
+                       const LatticeBox& voxels);
+
 /// Two triangles a quad, along its diagonal from corner 0 to 2.
 ///
 /// spacing_m  metres a unit of the lattice

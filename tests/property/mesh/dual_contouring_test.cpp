@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "core/reproducible_math.h"
 #include "mesh/dual_contouring/quadrangulate.h"
@@ -148,6 +149,42 @@ TEST(DualContouring, IsAManifoldOnRandomSigns) {
   EXPECT_EQ(sum.torn, 0);
   EXPECT_EQ(sum.crowded, 0);
   EXPECT_EQ(sum.odd, 0);
+}
+
+// Blocks of eight voxels a side that draw the edges from their own, as nodes of an octree do, with
+// two samples more on every side: put together by place, they are the mesh of the whole.
+TEST(DualContouring, IsTheSameInBlocks) {
+  for (const Placement placement : {Placement::Mean, Placement::Qef}) {
+    const Options options{Variant::Conservative, placement};
+    const Lattice<float> inner = random_signs(5);
+    Lattice<float> density(inner.box().grown(2));
+    for (std::size_t k = 0; k < inner.values().size(); ++k)
+      density(inner.box().at(k)) = inner.values()[k];
+    using Corners = std::array<std::array<double, 3>, 4>;
+    std::multiset<Corners> whole, blocks;
+    const auto put = [](const QuadMesh& mesh, std::multiset<Corners>& quads) {
+      for (const Quad& quad : mesh.quads) {
+        Corners corners;
+        for (std::size_t k = 0; k < 4; ++k) {
+          const glm::dvec3& at = mesh.position[quad[k]];
+          corners[k] = {at.x, at.y, at.z};
+        }
+        quads.insert(corners);
+      }
+    };
+    put(quadrangulate(density, options), whole);
+    for (int block = 0; block < 27; ++block) {
+      const glm::ivec3 first = glm::ivec3(block % 3, block / 3 % 3, block / 9) * 8 - 1;
+      Lattice<float> part({first - 2, glm::ivec3(12)});
+      for (std::size_t k = 0; k < part.values().size(); ++k) {
+        const glm::ivec3 at = part.box().at(k);
+        part.values()[k] = density.box().contains(at) ? density(at) : 0.0F;
+      }
+      put(quadrangulate(part, options, {first, glm::ivec3(8)}), blocks);
+    }
+    EXPECT_GT(whole.size(), 1000u);
+    EXPECT_TRUE(whole == blocks);
+  }
 }
 
 // What the splits are for.
