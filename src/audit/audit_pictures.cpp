@@ -13,9 +13,10 @@ namespace plumb::audit {
 namespace {
 
 image::Rgb8Image shaded(const HitImage& hits, const std::vector<glm::dvec3>& normals,
-                        const HeightfieldTruth& truth, const Camera& camera,
-                        bool two_sided = true) {
+                        const HeightfieldTruth& truth, const Camera& camera, bool two_sided = true,
+                        std::span<const glm::vec3> albedo = {}) {
   raster::ShadeOptions options;
+  options.albedo = albedo;
   options.two_sided = two_sided;
   const reference::HeightRange range = truth.caster.pyramid().root();
   if (!range.empty()) {
@@ -65,7 +66,7 @@ image::Rgb8Image drawn_picture(const AuditResult& result, const HeightfieldTruth
                                const DrawnSurface& surface, const Camera& camera) {
   return shaded(result.drawn,
                 shading_normals(surface, result.drawn, camera, truth.field(), truth.diagonal()),
-                truth, camera, result.of_mesh);
+                truth, camera, result.of_mesh, vertex_albedo(surface, result.drawn, camera));
 }
 
 image::Rgb8Image difference_picture(const image::Rgb8Image& a, const image::Rgb8Image& b) {

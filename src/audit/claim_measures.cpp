@@ -89,6 +89,9 @@ ClaimResult ClaimMeasures::of_claim(const Claim& claim, std::string label) const
     case Measure::Coverage:
       coverage(r);
       break;
+    case Measure::NearestError:
+      of_limit_alone(r);
+      break;
   }
   return r;
 }

@@ -58,6 +58,11 @@ std::unique_ptr<PreparedMethod> prepare_method(const Method& method,
     input_error("method {} promises nothing in '{}': give a tolerance in {}", method.name,
                 name_of(tolerance.unit), joined(units, [](Unit unit) { return name_of(unit); }));
   }
+  if (field.stacks != nullptr && !method.takes_stacks)
+    input_error(
+        "method {} draws heights, and {} is a terrain of stacks: method stacks draws it, or "
+        "--surface top asks for its top surface",
+        method.name, field.provenance.source);
   return method.prepare(field, settled);
 }
 

@@ -40,6 +40,7 @@ struct Method {
   /// If set: what a parameter of the user's stands for, so that a result that names it can be made
   /// again where a file that it came from is gone.
   std::function<MethodChoice(MethodChoice)> resolve = {};
+  bool takes_stacks = false;  // it draws terrains of stacks too, not heights alone
 };
 
 using MethodTable = std::vector<Method>;

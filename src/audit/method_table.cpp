@@ -10,8 +10,10 @@
 #include "core/number_text.h"
 #include "mesh/full/full_detail.h"
 #include "mesh/restricted_quadtree/restricted_quadtree.h"
+#include "mesh/stacks/stacks.h"
 #include "mesh/tessellation/tessellation.h"
 #include "slicing/slicing_method.h"
+#include "terrain/stacks/stack_field.h"
 
 namespace plumb::audit {
 namespace {
@@ -233,6 +235,47 @@ Method tessellation_row(const std::string& name, const std::string& summary, boo
   return method;
 }
 
+mesh::stacks::Parameters stacks_parameters(const MethodChoice& choice) {
+  using mesh::dual_contouring::Kernel;
+  using mesh::dual_contouring::Placement;
+  mesh::stacks::Parameters parameters;
+  parameters.variant = choice.variant == "published" ? mesh::stacks::Variant::Published
+                                                     : mesh::stacks::Variant::Conservative;
+  parameters.placement = word_parameter<Placement>(
+      choice, "placement",
+      {{"mean", Placement::Mean}, {"qef", Placement::Qef}, {"particle", Placement::Particle}});
+  parameters.filter.kernel =
+      word_parameter<Kernel>(choice, "filter", {{"gauss", Kernel::Gauss}, {"box", Kernel::Box}});
+  parameters.filter.radius = integer_parameter(choice, "radius", parameters.filter.radius);
+  if (parameters.filter.radius > 4)
+    input_error("parameter radius: expected 0 to 4 voxels, got {}", parameters.filter.radius);
+  return parameters;
+}
+
+Method stacks_row() {
+  Method method;
+  method.name = "stacks";
+  method.summary = "stacks of material, their surface by dual contouring over an octree";
+  method.variants = {"conservative", "published"};
+  method.tolerance_units = {Unit::Pixel};
+  method.takes_stacks = true;
+  method.parameters = {
+      {"placement", "of vertices: mean, qef or particle (mean)"},
+      {"filter", "that smoothes the densities: gauss or box (gauss)"},
+      {"radius", "of the filter, voxels, 0 to 4 (1)"},
+      {"voxel", "height of a voxel of a terrain of heights, metres (the mean spacing)"}};
+  method.prepare = [](const terrain::Heightfield& field, const MethodChoice& choice) {
+    if (field.stacks != nullptr && choice.parameters.contains("voxel"))
+      input_error("parameter voxel: a terrain of stacks has its own, {} m", field.stacks->voxel_m);
+    const double voxel_m = number_parameter(choice, "voxel", 0.0);
+    return adapt(mesh::stacks::prepare(
+                     field.stacks != nullptr ? *field.stacks : terrain::stacks_of(field, voxel_m),
+                     stacks_parameters(choice)),
+                 mesh::stacks::draw);
+  };
+  return method;
+}
+
 }  // namespace
 
 const MethodTable& built_in_methods() {
@@ -244,6 +287,7 @@ const MethodTable& built_in_methods() {
                        true),
       tessellation_row("chunked",
                        "the same patches without fine selection: chunked level of detail", false),
+      stacks_row(),
       slicing_row("slicing", "stacks of slices through the terrain; polygons where none can be",
                   false),
       slicing_row("hybrid-slicing", "slices or polygons for each box, whichever costs less", true)};

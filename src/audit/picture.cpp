@@ -35,8 +35,9 @@ void add_header(const terrain::Heightfield& field, const PictureMaker& maker,
 image::AovImage finish(const terrain::Heightfield& field, const HitImage& hits,
                        const Camera& camera, const PictureMaker& maker,
                        std::span<const glm::dvec3> normals, const image::PatchPlanes& planes,
-                       bool two_sided = true) {
+                       bool two_sided = true, std::span<const glm::vec3> albedo = {}) {
   raster::ShadeOptions options;
+  options.albedo = albedo;
   options.two_sided = two_sided;
   const Box box = bounds(field);
   if (!box.empty()) {
@@ -74,7 +75,10 @@ image::AovImage draw_picture(const terrain::Heightfield& field, const HitImage& 
   for (std::size_t k = 0; k < drawn.size() && !surface.triangle_lod.empty(); ++k) {
     if (drawn.hit(k)) planes.lods[k] = surface.triangle_lod.at(drawn.primitive[k]);
   }
-  return finish(field, drawn, camera, maker, normals, planes, surface.mesh != nullptr);
+  // A picture that the user lays over the ground hides what it is made of.
+  const std::vector<glm::vec3> albedo =
+      maker.drape != nullptr ? std::vector<glm::vec3>() : vertex_albedo(surface, drawn, camera);
+  return finish(field, drawn, camera, maker, normals, planes, surface.mesh != nullptr, albedo);
 }
 
 image::AovImage draw_truth_picture(const terrain::Heightfield& field, const HitImage& true_hits,

@@ -74,6 +74,10 @@ constexpr Key kTerrainKeys[] = {
      [](Place& p, const TomlValue& v) {
        p.scene.read.byte_order = parsed(v, terrain::parse_byte_order);
      }},
+    {"surface",
+     [](Place& p, const TomlValue& v) {
+       p.scene.read.top_surface = parsed(v, terrain::parse_surface);
+     }},
     {"diagonal",
      [](Place& p, const TomlValue& v) {
        p.scene.diagonal = name_of(parsed(v, terrain::parse_diagonal));

@@ -35,7 +35,8 @@ struct Scene {
 ///   [terrain]            source = "generate:alpine?size=129" or a file, which is looked for beside
 ///                        the scene; and the command line's options with underscores: window,
 ///                        spacing, band, decode, height_scale, height_offset, nodata, no_data, crs,
-///                        raw, byte_order, origin, diagonal. Lists may stand for commas: [10, 20].
+///                        raw, byte_order, origin, surface,
+///                        diagonal. Lists may stand for commas: [10, 20].
 ///   [camera]             as in a camera file
 ///   [method]             name, variant, tolerance = "1px"
 ///   [method.parameters]  as the method names them

@@ -59,6 +59,7 @@ void write_terrain(Writer& to, const Scene& scene) {
   if (read.height_offset_m != usual.height_offset_m)
     to.number("height_offset", read.height_offset_m);
   to.number("nodata", read.no_data);
+  if (read.top_surface) to.text("surface", "top");
   if (read.no_data_policy != usual.no_data_policy) to.text("no_data", name_of(read.no_data_policy));
   to.text("crs", read.crs);
   if (read.raw_size)

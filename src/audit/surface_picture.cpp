@@ -1,5 +1,9 @@
 #include "audit/surface_picture.h"
 
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
 #include "core/check.h"
 #include "core/parallel.h"
 #include "raster/rasteriser.h"
@@ -41,6 +45,36 @@ std::vector<glm::dvec3> shading_normals(const DrawnSurface& surface, const HitIm
     normals[pixel] = ground_normal(field, diagonal, eye + drawn.from_eye_m[pixel]);
   });
   return normals;
+}
+
+std::vector<glm::vec3> vertex_albedo(const DrawnSurface& surface, const HitImage& drawn,
+                                     const Camera& camera) {
+  if (surface.mesh == nullptr || surface.vertex_colours.empty()) return {};
+  const TriangleMesh& mesh = *surface.mesh;
+  require(surface.vertex_colours.size() == mesh.vertices_m.size(),
+          "there must be a colour for each of {} vertices, got {}", mesh.vertices_m.size(),
+          surface.vertex_colours.size());
+  std::vector<glm::vec3> albedo(drawn.size(), glm::vec3(0.0F));
+  const glm::dvec3 eye = camera.eye_m - mesh.origin_m;
+  parallel_for(static_cast<std::int64_t>(drawn.size()), 4096, [&](std::int64_t k) {
+    const auto pixel = static_cast<std::size_t>(k);
+    if (!drawn.hit(pixel)) return;
+    const Triangle& t = mesh.triangles[drawn.primitive[pixel]];
+    const glm::dvec3 p = eye + drawn.from_eye_m[pixel];
+    const glm::dvec3 normal =
+        area_normal(mesh.vertices_m[t[0]], mesh.vertices_m[t[1]], mesh.vertices_m[t[2]]);
+    glm::dvec3 colour(0.0);
+    double sum = 0.0;
+    for (std::size_t corner = 0; corner < 3; ++corner) {  // by the part opposite to it
+      const glm::dvec3 part = area_normal(p, mesh.vertices_m[t[(corner + 1) % 3]],
+                                          mesh.vertices_m[t[(corner + 2) % 3]]);
+      const double weight = std::max(0.0, glm::dot(part, normal));
+      sum += weight;
+      colour += weight * glm::dvec3(surface.vertex_colours[t[corner]]);
+    }
+    albedo[pixel] = sum > 0.0 ? glm::vec3(colour / sum) : surface.vertex_colours[t[0]];
+  });
+  return albedo;
 }
 
 std::vector<glm::dvec3> layer_normals(const Layers& layers, const Camera& camera,

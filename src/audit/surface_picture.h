@@ -23,7 +23,11 @@ std::vector<glm::dvec3> shading_normals(const DrawnSurface& surface, const HitIm
                                         const Camera& camera, const terrain::Heightfield& field,
                                         terrain::Diagonal diagonal);
 
-/// The same for what is blended over such a picture: one a layer.
+/// The colours of the mesh's vertices at what each pixel sees, linear; empty where it has none.
+std::vector<glm::vec3> vertex_albedo(const DrawnSurface& surface, const HitImage& drawn,
+                                     const Camera& camera);
+
+/// Normals for what is blended over such a picture: one a layer.
 std::vector<glm::dvec3> layer_normals(const Layers& layers, const Camera& camera,
                                       const terrain::Heightfield& field,
                                       terrain::Diagonal diagonal);

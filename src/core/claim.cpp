@@ -17,6 +17,8 @@ const char* name_of(Measure measure) {
       return "pixel-error";
     case Measure::Coverage:
       return "coverage";
+    case Measure::NearestError:
+      return "nearest-error";
   }
   return "?";
 }

@@ -13,6 +13,7 @@ enum class Measure {
   SurfaceError,  // the same between the samples as well, where drawn and true edges cross
   PixelError,    // distance on screen between a drawn point and the truth above or below it
   Coverage,      // holes, overshoots and see-through cracks
+  NearestError,  // distance to the nearest point of the other surface, both ways
 };
 
 enum class Unit { Metre, Pixel, Count };
@@ -39,7 +40,8 @@ struct Tolerance {
   friend bool operator==(const Tolerance&, const Tolerance&) = default;
 };
 
-const char* name_of(Measure measure);  // "sample-error", "surface-error", "pixel-error", "coverage"
+const char* name_of(Measure measure);  // "sample-error", "surface-error", "pixel-error", "coverage",
+                                    // "nearest-error"
 const char* name_of(Unit unit);        // "m", "px", ""
 const char* name_of(Scope scope);      // "frame", "patch"
 

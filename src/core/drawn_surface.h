@@ -1,6 +1,8 @@
 // What a method hands over to be drawn and judged.
 #pragma once
 
+#include <glm/vec3.hpp>
+
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -56,6 +58,8 @@ struct DrawnSurface {
   std::shared_ptr<const MeshRuns> runs;
   std::vector<std::uint8_t>
       triangle_lod;  // level of each triangle, 0 the finest; empty if there are no levels
+  /// Linear, of each vertex of `mesh`, for pictures alone; empty: coloured by height.
+  std::vector<glm::vec3> vertex_colours;
   std::vector<Patch> patches;
   static constexpr std::size_t kMostKinds = 6;
   std::vector<std::string> kinds;  // of patches, for a picture; empty: all are alike

@@ -6,6 +6,7 @@
 #include "core/check.h"
 #include "core/hash.h"
 #include "core/parallel.h"
+#include "terrain/stacks/stack_field.h"
 
 namespace plumb::terrain {
 
@@ -102,6 +103,7 @@ std::uint64_t checksum(const Heightfield& field) {
     }
     sum.add(std::span<const std::uint32_t>(bits));
   }
+  if (field.stacks != nullptr) sum.add(checksum(*field.stacks));
   return sum.value();
 }
 

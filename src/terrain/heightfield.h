@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@
 #include "terrain/height_grid.h"
 
 namespace plumb::terrain {
+
+struct StackField;
 
 /// Which of a cell's two diagonals is an edge of the full-detail surface.
 enum class Diagonal {
@@ -68,12 +71,15 @@ std::string system_of_coordinates(const Provenance& provenance);
 /// void: no surface there.
 ///
 /// A sample is a point. A full-detail triangle exists if its three samples do.
+///
+/// A terrain of stacks is the heightfield of its top surface, and `stacks` what lies below.
 struct Heightfield {
   HeightGrid heights_m;
   double dx_m = 1.0;
   double dy_m = 1.0;
   glm::dvec2 origin_m{0.0};
   Provenance provenance;
+  std::shared_ptr<const StackField> stacks;  // terrain/stacks/stack_field.h; null: heights alone
 
   int columns() const { return heights_m.columns(); }
   int rows() const { return heights_m.rows(); }

@@ -93,6 +93,12 @@ Decode parse_decode(const std::string& text) {
   input_error("decode '{}': expected grey, terrain-rgb or terrarium", text);
 }
 
+bool parse_surface(const std::string& text) {
+  if (text == "top") return true;
+  if (text == "stacks") return false;
+  input_error("surface '{}': expected stacks or top", text);
+}
+
 NoDataPolicy parse_no_data_policy(const std::string& text) {
   for (const NoDataPolicy policy : {NoDataPolicy::Hole, NoDataPolicy::Fill}) {
     if (text == name_of(policy)) return policy;

@@ -55,7 +55,10 @@ struct ReadOptions {
   std::string crs;                   // to reproject into, "EPSG:2056"; empty: as it is
   std::optional<RawSize> raw_size;   // of .r16 and .r32 files
   ByteOrder byte_order = ByteOrder::Little;
+  bool top_surface = false;     // of a terrain of stacks its top surface alone
   bool require_spacing = true;  // false: a file without spacing gets 1 m, and a line that says so
+
+  friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
 };
 
 const char* name_of(Decode decode);        // "unspecified", "grey", "terrain-rgb", "terrarium"
@@ -70,6 +73,7 @@ struct Spacing {
 Spacing parse_spacing(const std::string& text);  // "DX" or "DX,DY", metres
 Decode parse_decode(const std::string& text);    // "grey", "terrain-rgb" or "terrarium"
 NoDataPolicy parse_no_data_policy(const std::string& text);
+bool parse_surface(const std::string& text);       // "stacks" or "top", which is true
 RawSize parse_raw_size(const std::string& text);   // "WIDTHxHEIGHT"
 TileOrigin parse_origin(const std::string& text);  // "LONGITUDE,LATITUDE", degrees
 ByteOrder parse_byte_order(const std::string& text);

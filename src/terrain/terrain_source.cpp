@@ -13,6 +13,8 @@
 #include "terrain/image_reader.h"
 #include "terrain/memory_check.h"
 #include "terrain/raw_reader.h"
+#include "terrain/stacks/stack_file.h"
+#include "terrain/stacks/stack_source.h"
 #include "terrain/void_fill.h"
 
 namespace plumb::terrain {
@@ -41,6 +43,24 @@ void check_file(const std::string& file, bool must_be_file) {
   if (std::filesystem::is_regular_file(status) && std::filesystem::file_size(file, ignored) == 0) {
     input_error("{}: the file is empty", file);
   }
+}
+
+// Every option but top_surface speaks of grids of heights.
+void require_none_of_heights(const std::string& argument, const ReadOptions& options) {
+  ReadOptions nothing_else;
+  nothing_else.top_surface = options.top_surface;
+  nothing_else.require_spacing = options.require_spacing;
+  if (!(options == nothing_else))
+    input_error("{}: a terrain of stacks is read as it is: only its top surface can be asked for",
+                argument);
+}
+
+Heightfield with_stacks(StackField stacks, const ReadOptions& options) {
+  Heightfield field = top_surface(stacks);
+  if (options.top_surface) return field;
+  field.provenance = stacks.provenance;
+  field.stacks = std::make_shared<const StackField>(std::move(stacks));
+  return field;
 }
 
 Heightfield read_file(const std::string& file, const ReadOptions& options) {
@@ -121,6 +141,14 @@ void apply_policy(Heightfield& field, const std::string& name, const ReadOptions
 Heightfield load_terrain(const std::string& argument, const ReadOptions& options) {
   check(options);
   try {
+    const bool is_file_of_stacks = !is_generator(argument) && is_stack_file(argument);
+    if (is_stack_generator(argument) || is_file_of_stacks) {
+      require_none_of_heights(argument, options);
+      return with_stacks(is_file_of_stacks ? read_stacks(argument) : generate_stacks(argument),
+                         options);
+    }
+    if (options.top_surface && !is_generator(argument))
+      input_error("{}: --surface is for terrains of stacks", argument);
     Heightfield field =
         is_generator(argument) ? read_generated(argument, options) : read_file(argument, options);
     apply_policy(field, argument, options);

@@ -12,6 +12,9 @@ namespace plumb::terrain {
 ///
 /// argument  `generate:NAME?key=value&key=value`, or a file: .png and .exr are read by OpenImageIO,
 ///           .r16 and .r32 are bare samples, everything else is GDAL's
+///
+///           A terrain of stacks (`generate:caves`, or a file of stacks) is the heightfield of its
+///           top surface, with `stacks` set unless options.top_surface.
 /// options   decode, band, no_data, crs, origin and raw_size speak of files: with a generator they
 ///           are errors
 /// returns   metres; row 0 is the southernmost; void samples are NaN; `provenance` says where the

@@ -35,6 +35,8 @@ void add_terrain_options(Options& options, TerrainOptions& terrain, bool with_di
   options.text(terrain.raw_size, "--raw", "WxH", "Size of a .r16 or .r32 file");
   options.choice(terrain.byte_order, "--byte-order", {"little", "big"},
                  "Byte order of a .r16 or .r32 file (little)");
+  options.choice(terrain.surface, "--surface", {"stacks", "top"},
+                 "Of a terrain of stacks: all of it, or the heights of its top surface (stacks)");
   if (with_diagonal) {
     options.choice(terrain.diagonal, "--diagonal", {"alternating", "fixed", "blocks:8"},
                    "Which diagonal cuts a cell of the full-detail surface (alternating)");
@@ -59,6 +61,7 @@ terrain::ReadOptions read_options(const TerrainOptions& options) {
   if (!options.origin.empty()) read.origin = terrain::parse_origin(options.origin);
   read.crs = options.crs;
   if (!options.raw_size.empty()) read.raw_size = terrain::parse_raw_size(options.raw_size);
+  read.top_surface = !options.surface.empty() && terrain::parse_surface(options.surface);
   if (!options.byte_order.empty()) read.byte_order = terrain::parse_byte_order(options.byte_order);
   return read;
 }

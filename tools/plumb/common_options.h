@@ -16,7 +16,7 @@ namespace plumb::tool {
 /// The terrain, and how it is to be read.
 struct TerrainOptions {
   std::string terrain;
-  std::string window, spacing, decode, origin, crs, raw_size, byte_order, no_data_policy;
+  std::string window, spacing, decode, origin, crs, raw_size, byte_order, no_data_policy, surface;
   int band = 1;
   double height_scale = 1.0;
   double height_offset_m = 0.0;

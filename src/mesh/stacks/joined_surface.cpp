@@ -42,6 +42,7 @@ JoinedSurface joined(std::span<const NodeMesh* const> meshes) {
       surface.names.push_back(mesh->names[k]);
       surface.position.push_back(mesh->position[k]);
       surface.normal.push_back(mesh->normal[k]);
+      if (!mesh->colour.empty()) surface.colour.push_back(mesh->colour[k]);
     }
     for (Face face : mesh->faces) {
       for (std::uint32_t& corner : face) corner = corner == kNoCorner ? kNoCorner : index[corner];

@@ -12,6 +12,7 @@ namespace plumb::mesh::stacks {
 struct JoinedSurface {
   std::vector<VertexName> names;
   std::vector<glm::dvec3> position, normal;  // as NodeMesh has them
+  std::vector<glm::vec3> colour;             // empty where meshes have none
   std::vector<Face> faces;
   std::vector<std::uint32_t> first_face;  // of each node's mesh, and their number at the end
 };

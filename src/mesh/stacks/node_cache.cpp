@@ -1,6 +1,7 @@
 #include "mesh/stacks/node_cache.h"
 
 #include "core/parallel.h"
+#include "mesh/stacks/node_colours.h"
 
 namespace plumb::mesh::stacks {
 namespace {
@@ -33,12 +34,21 @@ std::vector<std::shared_ptr<const NodeMesh>> NodeCache::meshes(const Octree& oct
   }
   parallel_for(static_cast<std::int64_t>(missing.size()), 1, [&](std::int64_t i) {
     const std::size_t k = missing[static_cast<std::size_t>(i)];
-    found[k] =
-        std::make_shared<const NodeMesh>(node_mesh(nodes[k], around[k], densities_, options_));
+    found[k] = made(nodes[k], around[k]);
   });
   const std::lock_guard lock(mutex_);
   for (const std::size_t k : missing) meshes_.try_emplace({nodes[k], packed(around[k])}, found[k]);
   return found;
+}
+
+std::shared_ptr<const NodeMesh> NodeCache::made(const Node& node,
+                                                const Surroundings& around) const {
+  const auto densities = [this](int level, const dual_contouring::LatticeBox& box) {
+    return (*densities_)(level, box);
+  };
+  auto mesh = std::make_shared<NodeMesh>(node_mesh(node, around, densities, options_));
+  mesh->colour = node_colours(*mesh, *densities_);
+  return mesh;
 }
 
 std::size_t NodeCache::bytes() const {

@@ -11,13 +11,14 @@
 
 #include "mesh/stacks/node_mesh.h"
 #include "mesh/stacks/octree.h"
+#include "mesh/stacks/stack_densities.h"
 
 namespace plumb::mesh::stacks {
 
 /// The meshes of nodes by what lies beside them. Safe to ask from several threads.
 class NodeCache {
  public:
-  NodeCache(DensitySource densities, const NodeMeshOptions& options)
+  NodeCache(std::shared_ptr<const StackDensities> densities, const NodeMeshOptions& options)
       : densities_(std::move(densities)), options_(options) {}
 
   /// Of every drawn node of a balanced tree, in its order; those that are not there yet are made,
@@ -30,7 +31,9 @@ class NodeCache {
  private:
   using Key = std::pair<Node, std::uint64_t>;  // a node and its surroundings
 
-  DensitySource densities_;
+  std::shared_ptr<const NodeMesh> made(const Node& node, const Surroundings& around) const;
+
+  std::shared_ptr<const StackDensities> densities_;
   NodeMeshOptions options_;
   mutable std::mutex mutex_;
   std::map<Key, std::shared_ptr<const NodeMesh>> meshes_;

@@ -247,7 +247,8 @@ class Mesher {
 }  // namespace
 
 std::size_t NodeMesh::bytes() const {
-  return names.size() * (sizeof(VertexName) + 2 * sizeof(glm::dvec3)) + faces.size() * sizeof(Face);
+  return names.size() * (sizeof(VertexName) + 2 * sizeof(glm::dvec3)) +
+         colour.size() * sizeof(glm::vec3) + faces.size() * sizeof(Face);
 }
 
 NodeMesh node_mesh(const Node& node, const Surroundings& around, const DensitySource& densities,

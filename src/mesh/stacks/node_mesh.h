@@ -40,8 +40,9 @@ struct NodeMesh {
   std::vector<VertexName> names;     // sorted: the node's level first, then z, y, x and loop
   std::vector<glm::dvec3> position;  // in steps of the finest lattice: sample v at v + 1/2
   std::vector<glm::dvec3> normal;    // minus the gradient, per voxel of the vertex's level, no unit
-  std::vector<Face> faces;           // by the lower end of their edge, then its axis
-  std::int64_t faces_vanished = 0;   // whose corners fell together
+  std::vector<glm::vec3> colour;    // linear, of materials (node_colours.h); empty where not wanted
+  std::vector<Face> faces;          // by the lower end of their edge, then its axis
+  std::int64_t faces_vanished = 0;  // whose corners fell together
 
   std::size_t bytes() const;
 };

@@ -23,6 +23,7 @@ class Finisher {
     mesh_->origin_m = {densities_.field().origin_m, 0.0};
     for (const glm::dvec3& place : joined_.position)
       mesh_->vertices_m.push_back(densities_.metres(place));
+    surface_.vertex_colours = joined_.colour;
     for (std::size_t k = 0; k < nodes_.size(); ++k) add_node(k);
     surface_.cost.vertices = static_cast<std::int64_t>(mesh_->vertices_m.size());
     surface_.cost.triangles = static_cast<std::int64_t>(mesh_->triangles.size());
@@ -93,11 +94,8 @@ Prepared prepare(terrain::StackField field, const Parameters& parameters) {
   prepared.parameters = parameters;
   prepared.densities = std::make_shared<const StackDensities>(std::move(field), parameters.filter);
   prepared.cache = std::make_shared<NodeCache>(
-      [densities = prepared.densities](int level, const dual_contouring::LatticeBox& box) {
-        return (*densities)(level, box);
-      },
-      NodeMeshOptions{parameters.variant, parameters.placement,
-                      glm::ivec2(prepared.densities->size())});
+      prepared.densities, NodeMeshOptions{parameters.variant, parameters.placement,
+                                          glm::ivec2(prepared.densities->size())});
   return prepared;
 }
 

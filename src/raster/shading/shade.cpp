@@ -63,6 +63,9 @@ void require_usable(const HitImage& hits, const Camera& camera, std::span<const 
   require(options.light.ambient >= 0.0 && options.light.ambient <= 1.0,
           "ambient must lie in [0, 1], got {}", options.light.ambient);
   require(options.haze_m > 0.0, "haze_m must be > 0, got {}", options.haze_m);
+  require(options.albedo.empty() || options.albedo.size() == hits.size(),
+          "there must be an albedo for each of {} pixels, got {}", hits.size(),
+          options.albedo.size());
   const Drape& drape = options.drape;
   if (drape.picture == nullptr) return;
   require(drape.picture->width_px >= 1 && drape.picture->height_px >= 1,
@@ -76,15 +79,19 @@ struct Shader {
   const ShadeOptions& options;
   glm::dvec3 light;  // unit
 
-  glm::dvec3 surface(const glm::dvec3& from_eye_m, glm::dvec3 normal, double depth_m) const {
-    const glm::dvec3 world_m = camera.eye_m + from_eye_m;
+  glm::dvec3 surface(const glm::dvec3& from_eye_m, const glm::dvec3& normal, double depth_m) const {
+    return lit(ground(camera.eye_m + from_eye_m), from_eye_m, normal, depth_m);
+  }
+
+  glm::dvec3 lit(const glm::dvec3& albedo, const glm::dvec3& from_eye_m, glm::dvec3 normal,
+                 double depth_m) const {
     if (options.two_sided && glm::dot(normal, from_eye_m) > 0.0)
       normal = -normal;  // the side that is seen
     const double sun = std::max(0.0, glm::dot(normal, light));
     const double sky = 0.5 + 0.5 * normal.z;
     const double ambient = options.light.ambient;
-    const glm::dvec3 lit = ground(world_m) * (ambient * sky + (1.0 - ambient) * sun);
-    return mix(lit, options.sky.horizon, 1.0 - 1.0 / (1.0 + depth_m / options.haze_m));
+    const glm::dvec3 colour = albedo * (ambient * sky + (1.0 - ambient) * sun);
+    return mix(colour, options.sky.horizon, 1.0 - 1.0 / (1.0 + depth_m / options.haze_m));
   }
 
   glm::dvec3 ground(const glm::dvec3& world_m) const {
@@ -148,8 +155,10 @@ image::ColourImage shade(const HitImage& hits, const Camera& camera,
     const auto k = static_cast<std::size_t>(i);
     const int x = static_cast<int>(i % hits.width_px), y = static_cast<int>(i / hits.width_px);
     const glm::dvec3 colour =
-        hits.hit(k) ? shader.surface(hits.from_eye_m[k], normals[k], hits.depth_m[k])
-                    : sky_colour(options.sky, ray_direction(camera, x + 0.5, y + 0.5));
+        !hits.hit(k) ? sky_colour(options.sky, ray_direction(camera, x + 0.5, y + 0.5))
+        : options.albedo.empty()
+            ? shader.surface(hits.from_eye_m[k], normals[k], hits.depth_m[k])
+            : shader.lit(options.albedo[k], hits.from_eye_m[k], normals[k], hits.depth_m[k]);
     result.r[k] = static_cast<float>(colour.x);
     result.g[k] = static_cast<float>(colour.y);
     result.b[k] = static_cast<float>(colour.z);

@@ -42,6 +42,7 @@ struct ShadeOptions {
   double low_m = 0.0;   // world height of the lowest tint
   double high_m = 1.0;  // and of the highest; where not above low_m, everything has the lowest
   Drape drape;          // in place of the tint where it has a picture
+  std::span<const glm::vec3> albedo;  // linear, a pixel each, in place of both; empty: none
   double haze_m = std::numeric_limits<double>::infinity();  // depth at which half is horizon, > 0
   /// Turns normals to the side that is seen, as a sheet of triangles wants it; false for a solid,
   /// whose every point is lit as the ground there.
