@@ -21,6 +21,7 @@
 #include "core/parallel.h"
 #include "mesh/patch_quadtree/decoded_check.h"
 #include "progress.h"
+#include "stack_build.h"
 #include "text_table.h"
 
 namespace plumb::tool {
@@ -34,9 +35,12 @@ struct BuildOptions {
   std::string method = "tessellation", error, output;
   int format_version = 2, patch_cells = 128, threads = 0;
   bool json = false;
+  StackBuildOptions stacks;
 };
 
 double error_m(const std::string& text) {
+  if (text.empty())
+    input_error("--error is required: how far off a decoded height may be, such as 1m");
   const Tolerance error = parse_tolerance(text, "--error");
   if (error.unit != Unit::Metre)
     input_error("--error '{}': a file serves every view, so its error is in metres, such as 1m",
@@ -203,9 +207,29 @@ std::string build_json(const BuildOptions& options, const Built& built,
   return json.dump(2) + "\n";
 }
 
+// A file of stacks is exact: what speaks of errors and patches is not for it.
+int run_stacks(const BuildOptions& options, const Invocation& invocation) {
+  const BuildOptions defaults;
+  if (!options.error.empty() || options.format_version != defaults.format_version ||
+      options.patch_cells != defaults.patch_cells)
+    input_error(
+        "--method stacks: heights of stacks are exact, so --error, --format-version and "
+        "--patch-cells are not for it");
+  Progress progress;
+  const std::string result = build_stacks(options.terrain, options.stacks, options.output,
+                                          options.json, invocation, progress);
+  progress.finish();
+  std::cout << result;
+  return 0;
+}
+
 int run_build(const BuildOptions& options, const Invocation& invocation) {
   const ThreadLimit limit(options.threads);
   check_output(options);
+  if (options.method == "stacks") return run_stacks(options, invocation);
+  if (!(options.stacks == StackBuildOptions{}))
+    input_error("--method {}: layers, voxels and meshes are for --method stacks", options.method);
+  if (options.terrain.terrain.empty()) input_error("TERRAIN is required");
   Progress progress;
   const Built built = build(options, progress);
   progress.finish();
@@ -218,19 +242,22 @@ int run_build(const BuildOptions& options, const Invocation& invocation) {
 Command build_command() {
   Command command;
   command.name = "build";
-  command.summary = "Code a terrain as patches of many levels, within an error in metres";
+  command.summary =
+      "Code a terrain as patches of many levels, within an error in metres; or as stacks of "
+      "material, exactly";
   command.example =
       "plumb build 'generate:alpine?size=513&seed=7' --method tessellation --error 1m -o t.plumb";
   command.declare = [](Options& options) -> Action {
     const auto values = std::make_shared<BuildOptions>();
-    add_terrain_options(options, values->terrain, false);
+    add_terrain_options(options, values->terrain, false, false);
+    add_stack_build_options(options, values->stacks);
     options.group("File");
     std::vector<std::string> methods;
     for (const Buildable& row : buildables()) methods.push_back(row.method);
+    methods.push_back("stacks");
     options.choice(values->method, "--method", methods, "What is to draw from it (tessellation)");
     options.text(values->error, "--error", "NUMBERm",
-                 "No decoded height is farther from the terrain's");
-    options.require_option("--error");
+                 "No decoded height is farther from the terrain's; stacks are exact");
     options.integer(values->format_version, "--format-version", "N",
                     "1: coded as published, 2: modelled, which is smaller (2)", 1, 2);
     options.integer(values->patch_cells, "--patch-cells", "N",

@@ -12,9 +12,11 @@
 
 namespace plumb::tool {
 
-void add_terrain_options(Options& options, TerrainOptions& terrain, bool with_diagonal) {
-  options.argument(terrain.terrain, "TERRAIN",
-                   "An elevation file, or a generator: 'generate:alpine?size=2049&seed=7'");
+void add_terrain_options(Options& options, TerrainOptions& terrain, bool with_diagonal,
+                         bool needs_terrain) {
+  const char* const help = "An elevation file, or a generator: 'generate:alpine?size=2049&seed=7'";
+  needs_terrain ? options.argument(terrain.terrain, "TERRAIN", help)
+                : options.optional_argument(terrain.terrain, "TERRAIN", help);
   options.group("Terrain");
   options.text(terrain.window, "--window", "X,Y,W,H",
                "Only this part, in the file's columns and rows from its top left");

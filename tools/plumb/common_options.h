@@ -27,8 +27,9 @@ struct TerrainOptions {
 };
 
 /// Declares TERRAIN and the options that speak of it; `with_diagonal` where the command cuts cells
-/// into triangles.
-void add_terrain_options(Options& options, TerrainOptions& terrain, bool with_diagonal = true);
+/// into triangles, `needs_terrain` where TERRAIN must be given.
+void add_terrain_options(Options& options, TerrainOptions& terrain, bool with_diagonal = true,
+                         bool needs_terrain = true);
 /// Throws InputError for what cannot be read.
 terrain::ReadOptions read_options(const TerrainOptions& options);
 /// Reads the terrain. Throws InputError; with `require_spacing`, for a terrain without spacing too.

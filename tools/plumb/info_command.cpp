@@ -14,6 +14,8 @@
 #include "core/parallel.h"
 #include "info_preview.h"
 #include "progress.h"
+#include "stack_info.h"
+#include "terrain/stacks/stack_file.h"
 #include "terrain/statistics.h"
 #include "text_table.h"
 
@@ -180,11 +182,15 @@ std::string info_json(const Heightfield& field, const TerrainStatistics& found,
   return json.dump(2) + "\n";
 }
 
-// A coded terrain says itself all that the other options would.
-int run_container_info(const InfoOptions& options, const Invocation& invocation) {
+bool has_options_for_reading(const InfoOptions& options) {
   TerrainOptions nothing_else;
   nothing_else.terrain = options.terrain.terrain;
-  if (!(options.terrain == nothing_else) || !options.preview.empty())
+  return !(options.terrain == nothing_else) || !options.preview.empty();
+}
+
+// A coded terrain says itself all that the other options would.
+int run_container_info(const InfoOptions& options, const Invocation& invocation) {
+  if (has_options_for_reading(options))
     input_error("{}: a coded terrain: 'plumb decode' makes one that these options are for",
                 options.terrain.terrain);
   const mesh::patch_quadtree::Container container{fs::path(options.terrain.terrain)};
@@ -192,10 +198,23 @@ int run_container_info(const InfoOptions& options, const Invocation& invocation)
   return 0;
 }
 
+int run_stack_info(const InfoOptions& options, const Invocation& invocation) {
+  if (has_options_for_reading(options))
+    input_error("{}: a file of stacks, which options for reading a terrain are not for",
+                options.terrain.terrain);
+  const std::string& file = options.terrain.terrain;
+  const terrain::StackField field = terrain::read_stacks(file);
+  const auto bytes = static_cast<std::int64_t>(fs::file_size(file));
+  std::cout << (options.json ? stacks_json(field, file, bytes, invocation)
+                             : stacks_text(field, file, bytes));
+  return 0;
+}
+
 int run_info(const InfoOptions& options, const Invocation& invocation) {
   const ThreadLimit limit(options.threads);
   if (mesh::patch_quadtree::is_container(options.terrain.terrain))
     return run_container_info(options, invocation);
+  if (terrain::is_stack_file(options.terrain.terrain)) return run_stack_info(options, invocation);
   Progress progress;
   progress.step("reading the terrain");
   const Heightfield field = load(options.terrain, false);
@@ -217,7 +236,7 @@ Command info_command() {
   command.name = "info";
   command.summary =
       "Tell what a terrain is like, and what was assumed when it was read; or what a coded one "
-      "(.plumb) holds";
+      "(.plumb) or stacks of material (.stacks) hold";
   command.example = "plumb info 'generate:alpine?size=513&seed=7' --preview preview.png";
   command.declare = [](Options& options) -> Action {
     const auto values = std::make_shared<InfoOptions>();
