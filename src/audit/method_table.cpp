@@ -268,9 +268,11 @@ Method stacks_row() {
     if (field.stacks != nullptr && choice.parameters.contains("voxel"))
       input_error("parameter voxel: a terrain of stacks has its own, {} m", field.stacks->voxel_m);
     const double voxel_m = number_parameter(choice, "voxel", 0.0);
+    mesh::stacks::Parameters parameters = stacks_parameters(choice);
+    parameters.is_truth = field.stacks != nullptr;
     return adapt(mesh::stacks::prepare(
                      field.stacks != nullptr ? *field.stacks : terrain::stacks_of(field, voxel_m),
-                     stacks_parameters(choice)),
+                     parameters),
                  mesh::stacks::draw);
   };
   return method;

@@ -6,11 +6,16 @@
 namespace plumb::mesh::stacks {
 namespace {
 
-// Two bits a place. Only coarser and finer neighbours change a mesh, and whether there is any.
+// Two bits a place. Where nothing coarser or finer is near, what lies beyond the field changes no
+// mesh.
 std::uint64_t packed(const Surroundings& around) {
   std::uint64_t key = 0;
-  for (const Beside beside : around) key = key << 2 | static_cast<std::uint64_t>(beside);
-  return key;
+  bool is_alike = true;
+  for (const Beside beside : around) {
+    key = key << 2 | static_cast<std::uint64_t>(beside);
+    is_alike = is_alike && (beside == Beside::Same || beside == Beside::Outside);
+  }
+  return is_alike ? 0 : key;
 }
 
 }  // namespace
@@ -39,6 +44,18 @@ std::vector<std::shared_ptr<const NodeMesh>> NodeCache::meshes(const Octree& oct
   const std::lock_guard lock(mutex_);
   for (const std::size_t k : missing) meshes_.try_emplace({nodes[k], packed(around[k])}, found[k]);
   return found;
+}
+
+std::shared_ptr<const NodeMesh> NodeCache::mesh(const Node& node, const Surroundings& around) {
+  const Key key{node, packed(around)};
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = meshes_.find(key);
+    if (found != meshes_.end()) return found->second;
+  }
+  std::shared_ptr<const NodeMesh> mesh = made(node, around);
+  const std::lock_guard lock(mutex_);
+  return meshes_.try_emplace(key, std::move(mesh)).first->second;
 }
 
 std::shared_ptr<const NodeMesh> NodeCache::made(const Node& node,

@@ -25,6 +25,8 @@ class NodeCache {
   /// in parallel.
   std::vector<std::shared_ptr<const NodeMesh>> meshes(const Octree& octree,
                                                       std::span<const Node> nodes);
+  /// Of one node.
+  std::shared_ptr<const NodeMesh> mesh(const Node& node, const Surroundings& around);
   /// Of all meshes that are kept.
   std::size_t bytes() const;
 

@@ -68,6 +68,8 @@ class Octree {
   /// Divides one drawn node, and nothing else.
   void divide(const Node& node);
 
+  /// Drawn, or divided further.
+  bool exists(const Node& node) const;
   bool is_drawn(const Node& node) const { return exists(node) && !is_divided(node); }
   /// Every drawn node, sorted.
   std::vector<Node> drawn() const;
@@ -78,7 +80,6 @@ class Octree {
 
  private:
   static std::uint64_t key(const glm::ivec3& at);
-  bool exists(const Node& node) const;
   bool is_divided(const Node& node) const;
   void ensure(const Node& node);
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "mesh/stacks/joined_surface.h"
+#include "mesh/stacks/selection.h"
 
 namespace plumb::mesh::stacks {
 namespace {
@@ -81,12 +82,6 @@ DrawnSurface surface_of(const Prepared& prepared, const Octree& octree) {
 
 Octree octree_of(const Prepared& prepared) { return Octree(prepared.densities->size()); }
 
-double edge_m(const StackDensities& densities, const Node& node) {
-  const terrain::StackField& field = densities.field();
-  return kNodeVoxels * static_cast<double>(1 << node.level) *
-         std::max({field.dx_m, field.dy_m, field.voxel_m});
-}
-
 }  // namespace
 
 Prepared prepare(terrain::StackField field, const Parameters& parameters) {
@@ -96,29 +91,22 @@ Prepared prepare(terrain::StackField field, const Parameters& parameters) {
   prepared.cache = std::make_shared<NodeCache>(
       prepared.densities, NodeMeshOptions{parameters.variant, parameters.placement,
                                           glm::ivec2(prepared.densities->size())});
+  if (parameters.variant == Variant::Conservative)
+    prepared.errors = std::make_shared<const LevelErrors>(*prepared.densities, *prepared.cache);
   return prepared;
-}
-
-double extent_px(const Camera& camera, const Box& box, double edge_m) {
-  double squared = 0.0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double away =
-        std::max({box.low[axis] - camera.eye_m[axis], camera.eye_m[axis] - box.high[axis], 0.0});
-    squared += away * away;
-  }
-  return squared > 0.0 ? edge_m * camera.gamma_h / std::sqrt(squared)
-                       : std::numeric_limits<double>::infinity();
 }
 
 DrawnSurface draw(const Prepared& prepared, const Camera& camera, const Tolerance& tolerance) {
   const StackDensities& densities = *prepared.densities;
   const Camera local = relative_to(camera, {densities.field().origin_m, 0.0});
-  Octree octree = octree_of(prepared);
-  octree.divide([&](const Node& node) {
-    return extent_px(local, densities.box(node), edge_m(densities, node)) > tolerance.value;
-  });
-  octree.balance();
-  return surface_of(prepared, octree);
+  if (prepared.errors == nullptr)
+    return surface_of(prepared, published_selection(densities, local, tolerance));
+  DrawnSurface surface = surface_of(
+      prepared,
+      conservative_selection(densities, *prepared.errors, *prepared.cache, local, tolerance));
+  if (prepared.parameters.is_truth)
+    surface.claims.push_back({Measure::NearestError, tolerance.value, Unit::Pixel});
+  return surface;
 }
 
 DrawnSurface finest(const Prepared& prepared) {

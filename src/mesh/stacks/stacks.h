@@ -7,6 +7,7 @@
 #include "core/drawn_surface.h"
 #include "mesh/dual_contouring/smoothing.h"
 #include "mesh/dual_contouring/vertex_place.h"
+#include "mesh/stacks/level_errors.h"
 #include "mesh/stacks/node_cache.h"
 #include "mesh/stacks/stack_densities.h"
 #include "terrain/stacks/stack_field.h"
@@ -17,6 +18,7 @@ struct Parameters {
   Variant variant = Variant::Conservative;
   dual_contouring::Placement placement = dual_contouring::Placement::Mean;
   dual_contouring::Filter filter;
+  bool is_truth = true;  // the finest level's surface is what the drawn one is held against
 };
 
 /// What does not depend on the view: the levels of the stacks, and the meshes of nodes as they are
@@ -25,6 +27,7 @@ struct Prepared {
   Parameters parameters;
   std::shared_ptr<const StackDensities> densities;
   std::shared_ptr<NodeCache> cache;
+  std::shared_ptr<const LevelErrors> errors;  // null: published
 };
 
 /// Throws std::invalid_argument if the field is not valid.
@@ -32,18 +35,16 @@ Prepared prepare(terrain::StackField field, const Parameters& parameters = {});
 
 /// The surface that a camera is shown.
 ///
-/// published     nodes are divided while their edge spans more than the tolerance on the screen;
-///               one vertex a cell. Nothing is claimed: the tolerance is a size, no error
-/// conservative  in metres: the finest level everywhere where the tolerance is 0; see
-///               docs/algorithms/material-stacks.md
+/// published     nodes are divided while their edge spans more pixels than the tolerance; one
+/// vertex
+///               a cell. Nothing is claimed: that tolerance is a size, no error
+/// conservative  nodes in view are divided until what is drawn lies within the tolerance of the
+///               finest level's surface, both ways; a vertex for each sheet. Claims so of a field
+///               of stacks; of heights it claims nothing, as its finest surface is not theirs
 /// Source: [Löffler, Müller & Schumann 2011].
 DrawnSurface draw(const Prepared& prepared, const Camera& camera, const Tolerance& tolerance);
 
 /// The surface of the finest level everywhere: the truth that the others approximate.
 DrawnSurface finest(const Prepared& prepared);
-
-/// eq. (1): how many pixels the edge of a node spans where it is nearest to the eye; +inf around
-/// the eye. `edge_m` the longest, `box` in the camera's coordinates.
-double extent_px(const Camera& camera, const Box& box, double edge_m);
 
 }  // namespace plumb::mesh::stacks
