@@ -7,106 +7,124 @@
 
 namespace plumb::mesh::stacks {
 
-std::size_t DrawnErrors::NodeHash::operator()(const Node& node) const {
-  std::uint64_t x = static_cast<std::uint32_t>(node.level);
-  for (int axis = 0; axis < 3; ++axis)
-    x = x * 0x9e3779b97f4a7c15ULL + static_cast<std::uint32_t>(node.at[axis]);
-  return static_cast<std::size_t>(x ^ x >> 31);
-}
-
-DrawnErrors::DrawnErrors(const Octree& octree, std::span<const Node> nodes,
-                         std::span<const std::shared_ptr<const NodeMesh>> meshes,
-                         const StackDensities& densities, const LevelErrors& levels)
-    : octree_(octree), nodes_(nodes), meshes_(meshes), densities_(densities), levels_(levels) {
-  plant_trees();
-}
-
-// Nodes beside coarser or finer ones alone are drawn otherwise than among their equals.
-void DrawnErrors::plant_trees() {
-  fitted_.assign(nodes_.size(), 0);
-  trees_.resize(nodes_.size());
-  parallel_for(static_cast<std::int64_t>(nodes_.size()), 4, [&](std::int64_t i) {
-    const auto k = static_cast<std::size_t>(i);
-    const Surroundings around = octree_.surroundings(nodes_[k]);
-    fitted_[k] = std::any_of(around.begin(), around.end(), [](Beside beside) {
-      return beside == Beside::Coarser || beside == Beside::Finer;
-    });
-    if (fitted_[k] != 0) trees_[k] = TriangleTree(triangles_of(*meshes_[k], densities_));
-  });
-  for (std::size_t k = 0; k < nodes_.size(); ++k) place_.emplace(nodes_[k], k);
-}
+DrawnErrors::DrawnErrors(const StackDensities& densities, const LevelErrors& levels)
+    : densities_(densities), levels_(levels) {}
 
 double DrawnErrors::fine_m(const Node& node) const {
   return static_cast<double>(1 << node.level) * densities_.field().voxel_m / 64.0;
 }
 
-// Every drawn tree within a node, or that of the node which holds it.
-void DrawnErrors::collect(const Node& node, std::vector<const TriangleTree*>& trees) const {
-  if (!octree_.is_inside(node)) return;
-  Node holder = node;
-  while (holder.level < octree_.root_level() && !octree_.exists(holder)) holder = holder.parent();
-  const auto found = place_.find(holder);
-  if (found != place_.end()) {
-    const NodeError* own = levels_.find(holder);
-    const TriangleTree* tree = fitted_[found->second] != 0 ? &trees_[found->second]
-                               : own != nullptr            ? &own->triangles
-                                                           : nullptr;
-    if (tree != nullptr && !tree->triangles().empty() &&
-        std::find(trees.begin(), trees.end(), tree) == trees.end())
-      trees.push_back(tree);
-    return;
-  }
-  for (int k = 0; k < 8; ++k) collect(holder.child(k), trees);
+bool DrawnErrors::is_fitted(const Drawn& drawn, const Node& node) const {
+  const NodeError* own = levels_.find(node);
+  return drawn.trees.at(node) != (own == nullptr ? nullptr : &own->triangles);
 }
 
-double DrawnErrors::drawn_to_finest(std::size_t k) const {
-  const Node& node = nodes_[k];
+// Nodes beside coarser or finer ones alone are drawn otherwise than among their equals.
+void DrawnErrors::plant(Drawn& drawn, std::span<const std::shared_ptr<const NodeMesh>> meshes) {
+  std::vector<std::size_t> fitted;
+  for (std::size_t k = 0; k < drawn.nodes.size(); ++k) {
+    const Surroundings around = drawn.octree.surroundings(drawn.nodes[k]);
+    const bool is_fitted = std::any_of(around.begin(), around.end(), [](Beside beside) {
+      return beside == Beside::Coarser || beside == Beside::Finer;
+    });
+    const NodeError* own = levels_.find(drawn.nodes[k]);
+    if (is_fitted && !meshes[k]->faces.empty()) {
+      fitted.push_back(k);
+      planted_.try_emplace(meshes[k].get());
+      drawn.trees.emplace(drawn.nodes[k], &planted_.find(meshes[k].get())->second);
+    } else {
+      const bool is_own = own != nullptr && !is_fitted;
+      drawn.trees.emplace(drawn.nodes[k], is_own ? &own->triangles : nullptr);
+    }
+  }
+  parallel_for(static_cast<std::int64_t>(fitted.size()), 1, [&](std::int64_t i) {
+    const std::size_t k = fitted[static_cast<std::size_t>(i)];
+    TriangleTree& tree = planted_.find(meshes[k].get())->second;
+    if (tree.triangles().empty()) tree = TriangleTree(triangles_of(*meshes[k], densities_));
+  });
+}
+
+// Every drawn tree within a node, or that of the node which holds it.
+void DrawnErrors::collect(const Drawn& drawn, const Node& node,
+                          std::vector<const TriangleTree*>& trees) const {
+  if (!drawn.octree.is_inside(node)) return;
+  Node holder = node;
+  while (!drawn.octree.exists(holder)) holder = holder.parent();
+  const auto found = drawn.trees.find(holder);
+  if (found == drawn.trees.end()) {
+    for (int k = 0; k < 8; ++k) collect(drawn, holder.child(k), trees);
+  } else if (found->second != nullptr &&
+             std::find(trees.begin(), trees.end(), found->second) == trees.end()) {
+    trees.push_back(found->second);
+  }
+}
+
+DrawnErrors::Asked DrawnErrors::around(const Drawn& drawn, const Node& node) const {
+  Asked asked{node, {}};
+  for_each_around(node, [&](const Node& beside) { collect(drawn, beside, asked.second); });
+  return asked;
+}
+
+// By how much a level's own surface is missed where something else is drawn: at every place of a
+// wanted node's level that is beside it.
+void DrawnErrors::measure_levels(Drawn& drawn, std::span<const std::uint8_t> wanted) {
+  std::vector<Asked> asked;
+  for (std::size_t k = 0; k < drawn.nodes.size(); ++k) {
+    if (wanted[k] == 0 || levels_.find(drawn.nodes[k]) == nullptr) continue;
+    for_each_around(drawn.nodes[k], [&](const Node& beside) {
+      const NodeError* own = levels_.find(beside);
+      if (own == nullptr || own->triangles.triangles().empty()) return;
+      const auto tree = drawn.trees.find(beside);
+      if (tree != drawn.trees.end() && tree->second == &own->triangles) return;
+      if (drawn.missed.emplace(beside, 0.0).second) asked.push_back(around(drawn, beside));
+    });
+  }
+  std::vector<double> measured(asked.size());
+  parallel_for(static_cast<std::int64_t>(asked.size()), 1, [&](std::int64_t i) {
+    const auto k = static_cast<std::size_t>(i);
+    const auto known = measured_.find(asked[k]);
+    measured[k] = known != measured_.end()
+                      ? known->second
+                      : distance_bound(levels_.find(asked[k].first)->triangles.triangles(),
+                                       asked[k].second, fine_m(asked[k].first));
+  });
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    drawn.missed[asked[k].first] = measured[k];
+    measured_.try_emplace(std::move(asked[k]), measured[k]);
+  }
+}
+
+double DrawnErrors::drawn_to_finest(const Drawn& drawn, const Node& node) const {
   const NodeError* own = levels_.find(node);
-  if (fitted_[k] == 0) return own == nullptr ? 0.0 : own->to_finest_m;
-  if (trees_[k].triangles().empty()) return 0.0;
+  if (!is_fitted(drawn, node)) return own == nullptr ? 0.0 : own->to_finest_m;
+  const TriangleTree* tree = drawn.trees.at(node);
+  if (tree == nullptr) return 0.0;
   double around = 0.0;
   for_each_around(node, [&](const Node& beside) {
     const NodeError* error = levels_.find(beside);
     if (error != nullptr) around = std::max(around, error->to_finest_m);
   });
-  return around + distance_bound(trees_[k].triangles(), levels_.trees_around(node), fine_m(node));
+  return around + distance_bound(tree->triangles(), levels_.trees_around(node), fine_m(node));
 }
 
-double DrawnErrors::level_to_drawn(const Node& node) const {
-  const NodeError* own = levels_.find(node);
-  if (own == nullptr || own->triangles.triangles().empty()) return 0.0;
-  const auto found = place_.find(node);
-  if (found != place_.end() && fitted_[found->second] == 0) return 0.0;
-  std::vector<const TriangleTree*> trees;
-  for_each_around(node, [&](const Node& beside) { collect(beside, trees); });
-  return distance_bound(own->triangles.triangles(), trees, fine_m(node));
-}
-
-std::vector<double> DrawnErrors::bounds_m() {
-  // The level's own surface around fitted nodes, each place once.
-  std::vector<Node> asked;
-  for (std::size_t k = 0; k < nodes_.size(); ++k) {
-    if (levels_.find(nodes_[k]) != nullptr)
-      for_each_around(nodes_[k], [&](const Node& beside) { asked.push_back(beside); });
-  }
-  std::sort(asked.begin(), asked.end());
-  asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
-  std::vector<double> missed(asked.size());
-  parallel_for(static_cast<std::int64_t>(asked.size()), 1, [&](std::int64_t k) {
-    missed[static_cast<std::size_t>(k)] = level_to_drawn(asked[static_cast<std::size_t>(k)]);
-  });
-  std::vector<double> bounds(nodes_.size());
-  parallel_for(static_cast<std::int64_t>(nodes_.size()), 1, [&](std::int64_t i) {
+std::vector<double> DrawnErrors::bounds_m(const Octree& octree, std::span<const Node> nodes,
+                                          std::span<const std::shared_ptr<const NodeMesh>> meshes,
+                                          std::span<const std::uint8_t> wanted) {
+  Drawn drawn{octree, nodes};
+  plant(drawn, meshes);
+  measure_levels(drawn, wanted);
+  std::vector<double> bounds(nodes.size(), 0.0);
+  parallel_for(static_cast<std::int64_t>(nodes.size()), 1, [&](std::int64_t i) {
     const auto k = static_cast<std::size_t>(i);
-    const NodeError* own = levels_.find(nodes_[k]);
+    if (wanted[k] == 0) return;
+    const NodeError* own = levels_.find(nodes[k]);
     double around = 0.0;
-    for_each_around(nodes_[k], [&](const Node& beside) {
-      const auto found = std::lower_bound(asked.begin(), asked.end(), beside);
-      if (found != asked.end() && *found == beside)
-        around = std::max(around, missed[static_cast<std::size_t>(found - asked.begin())]);
+    for_each_around(nodes[k], [&](const Node& beside) {
+      const auto missed = drawn.missed.find(beside);
+      if (missed != drawn.missed.end()) around = std::max(around, missed->second);
     });
-    const double from_finest = own == nullptr ? 0.0 : own->from_finest_m + around;
-    bounds[k] = std::max(drawn_to_finest(k), from_finest);
+    bounds[k] = std::max(drawn_to_finest(drawn, nodes[k]),
+                         own == nullptr ? 0.0 : own->from_finest_m + around);
   });
   return bounds;
 }

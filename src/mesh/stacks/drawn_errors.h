@@ -1,9 +1,12 @@
 // How far the surface that is drawn may be from the finest one, node by node.
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "mesh/stacks/level_errors.h"
@@ -20,32 +23,36 @@ namespace plumb::mesh::stacks {
 /// it lies elsewhere: by how much is measured against the level's own surface, both ways.
 class DrawnErrors {
  public:
-  DrawnErrors(const Octree& octree, std::span<const Node> nodes,
-              std::span<const std::shared_ptr<const NodeMesh>> meshes,
-              const StackDensities& densities, const LevelErrors& levels);
+  /// Keeps references to both. What was measured once is kept as well, for the next selection.
+  DrawnErrors(const StackDensities& densities, const LevelErrors& levels);
 
-  /// One for each node, in the order given.
-  std::vector<double> bounds_m();
+  /// One for each node, in the order given; of those that are not wanted zero.
+  std::vector<double> bounds_m(const Octree& octree, std::span<const Node> nodes,
+                               std::span<const std::shared_ptr<const NodeMesh>> meshes,
+                               std::span<const std::uint8_t> wanted);
 
  private:
-  struct NodeHash {
-    std::size_t operator()(const Node& node) const;
+  struct Drawn {
+    const Octree& octree;
+    std::span<const Node> nodes;
+    std::unordered_map<Node, const TriangleTree*, NodeHash> trees = {};  // of each that is drawn
+    std::unordered_map<Node, double, NodeHash> missed =
+        {};  // of places of a level, by what is drawn
   };
+  using Asked = std::pair<Node, std::vector<const TriangleTree*>>;
 
-  void plant_trees();
-  double drawn_to_finest(std::size_t k) const;
-  double level_to_drawn(const Node& node) const;
-  void collect(const Node& node, std::vector<const TriangleTree*>& trees) const;
+  void plant(Drawn& drawn, std::span<const std::shared_ptr<const NodeMesh>> meshes);
+  void measure_levels(Drawn& drawn, std::span<const std::uint8_t> wanted);
+  double drawn_to_finest(const Drawn& drawn, const Node& node) const;
+  bool is_fitted(const Drawn& drawn, const Node& node) const;
+  Asked around(const Drawn& drawn, const Node& node) const;
+  void collect(const Drawn& drawn, const Node& node, std::vector<const TriangleTree*>& trees) const;
   double fine_m(const Node& node) const;
 
-  const Octree& octree_;
-  std::span<const Node> nodes_;
-  std::span<const std::shared_ptr<const NodeMesh>> meshes_;
   const StackDensities& densities_;
   const LevelErrors& levels_;
-  std::vector<std::uint8_t> fitted_;  // of each node: drawn otherwise than its level's own
-  std::vector<TriangleTree> trees_;   // of each node that is fitted
-  std::unordered_map<Node, std::size_t, NodeHash> place_;  // of a drawn node
+  std::map<const NodeMesh*, TriangleTree> planted_;
+  std::map<Asked, double> measured_;  // looked up, never walked
 };
 
 }  // namespace plumb::mesh::stacks

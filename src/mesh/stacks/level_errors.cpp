@@ -48,13 +48,6 @@ std::vector<Corners> triangles_of(const NodeMesh& mesh, const StackDensities& de
   return triangles;
 }
 
-std::size_t LevelErrors::NodeHash::operator()(const Node& node) const {
-  std::uint64_t x = static_cast<std::uint32_t>(node.at.x);
-  x = x * 0x9e3779b97f4a7c15ULL + static_cast<std::uint32_t>(node.at.y);
-  x = x * 0x9e3779b97f4a7c15ULL + static_cast<std::uint32_t>(node.at.z);
-  return static_cast<std::size_t>(x ^ x >> 31);
-}
-
 LevelErrors::LevelErrors(const StackDensities& densities, NodeCache& cache)
     : densities_(&densities) {
   const Octree octree(densities.size());

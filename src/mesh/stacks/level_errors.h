@@ -40,9 +40,6 @@ class LevelErrors {
   std::vector<const TriangleTree*> trees_around(const Node& node) const;
 
  private:
-  struct NodeHash {
-    std::size_t operator()(const Node& node) const;
-  };
   using Level = std::unordered_map<Node, NodeError, NodeHash>;  // looked up, never walked
 
   void add_level(int level, const Octree& octree, NodeCache& cache);

@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 
 #include <array>
-#include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <unordered_set>
@@ -31,6 +31,16 @@ struct Node {
 };
 
 constexpr int kNodeVoxels = 16;
+
+/// For looking nodes up.
+struct NodeHash {
+  std::size_t operator()(const Node& node) const {
+    std::uint64_t x = static_cast<std::uint32_t>(node.level);
+    for (int axis = 0; axis < 3; ++axis)
+      x = x * 0x9e3779b97f4a7c15ULL + static_cast<std::uint32_t>(node.at[axis]);
+    return static_cast<std::size_t>(x ^ x >> 31);
+  }
+};
 
 /// What lies beside a node, as it sees it.
 enum class Beside : std::uint8_t {

@@ -94,24 +94,30 @@ Octree published_selection(const StackDensities& densities, const Camera& camera
 
 Octree conservative_selection(const StackDensities& densities, const LevelErrors& levels,
                               NodeCache& cache, const Camera& camera, const Tolerance& tolerance) {
+  const auto is_seen = [&](const Node& node) {
+    return may_be_in_view(camera, drawn_box(densities, node));
+  };
   const auto is_over = [&](const Node& node, double bound_m) {
-    const Box box = drawn_box(densities, node);
-    return may_be_in_view(camera, box) && apart_px(camera, box, bound_m) > tolerance.value;
+    return apart_px(camera, drawn_box(densities, node), bound_m) > tolerance.value;
   };
   Octree octree(densities.size());
-  octree.divide([&](const Node& node) { return is_over(node, levels.worst_m(node)); });
-  for (;;) {
+  octree.divide(
+      [&](const Node& node) { return is_seen(node) && is_over(node, levels.worst_m(node)); });
+  DrawnErrors errors(densities, levels);
+  for (bool changed = true; changed;) {
     octree.balance();
     const std::vector<Node> nodes = octree.drawn();
-    const auto meshes = cache.meshes(octree, nodes);
+    std::vector<std::uint8_t> seen;
+    for (const Node& node : nodes) seen.push_back(is_seen(node) ? 1 : 0);
     const std::vector<double> bounds =
-        DrawnErrors(octree, nodes, meshes, densities, levels).bounds_m();
-    bool changed = false;
+        errors.bounds_m(octree, nodes, cache.meshes(octree, nodes), seen);
+    changed = false;
     for (std::size_t k = 0; k < nodes.size(); ++k) {
-      if (is_over(nodes[k], bounds[k])) changed = refine_around(octree, nodes[k]) || changed;
+      if (seen[k] != 0 && is_over(nodes[k], bounds[k]))
+        changed = refine_around(octree, nodes[k]) || changed;
     }
-    if (!changed) return octree;
   }
+  return octree;
 }
 
 }  // namespace plumb::mesh::stacks
