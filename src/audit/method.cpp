@@ -18,6 +18,20 @@ std::string joined(const Range& range, const NameOf& name_of_item) {
 
 }  // namespace
 
+std::unique_ptr<MethodRun> PreparedMethod::start() const {
+  class EachForItself final : public MethodRun {
+   public:
+    explicit EachForItself(const PreparedMethod& method) : method_(method) {}
+    DrawnSurface step(const Camera& camera, const Tolerance& tolerance) override {
+      return method_.draw(camera, tolerance);
+    }
+
+   private:
+    const PreparedMethod& method_;
+  };
+  return std::make_unique<EachForItself>(*this);
+}
+
 const Method& find_method(const MethodTable& table, const std::string& name) {
   const auto found = std::find_if(table.begin(), table.end(),
                                   [&](const Method& method) { return method.name == name; });

@@ -14,11 +14,20 @@
 
 namespace plumb::audit {
 
+/// A method that is shown frame after frame.
+class MethodRun {
+ public:
+  virtual ~MethodRun() = default;
+  virtual DrawnSurface step(const Camera& camera, const Tolerance& tolerance) = 0;
+};
+
 /// Everything that a method made of a terrain before it knew a camera.
 class PreparedMethod {
  public:
   virtual ~PreparedMethod() = default;
   virtual DrawnSurface draw(const Camera& camera, const Tolerance& tolerance) const = 0;
+  /// A method without a memory of frames draws each for itself. Does not outlive *this.
+  virtual std::unique_ptr<MethodRun> start() const;
 };
 
 /// What a user sets of a method: its variant and parameters by name; the method checks them.

@@ -252,6 +252,35 @@ mesh::stacks::Parameters stacks_parameters(const MethodChoice& choice) {
   return parameters;
 }
 
+// Frames of a path share a tree where there is a budget.
+class PreparedStacks final : public PreparedMethod {
+ public:
+  PreparedStacks(mesh::stacks::Prepared prepared, int budget)
+      : prepared_(std::move(prepared)), budget_(budget) {}
+
+  DrawnSurface draw(const Camera& camera, const Tolerance& tolerance) const override {
+    return mesh::stacks::draw(prepared_, camera, tolerance);
+  }
+  std::unique_ptr<MethodRun> start() const override {
+    return std::make_unique<Flight>(mesh::stacks::Run(prepared_, budget_));
+  }
+
+ private:
+  class Flight final : public MethodRun {
+   public:
+    explicit Flight(mesh::stacks::Run run) : run_(std::move(run)) {}
+    DrawnSurface step(const Camera& camera, const Tolerance& tolerance) override {
+      return run_.step(camera, tolerance);
+    }
+
+   private:
+    mesh::stacks::Run run_;
+  };
+
+  mesh::stacks::Prepared prepared_;
+  int budget_;
+};
+
 Method stacks_row() {
   Method method;
   method.name = "stacks";
@@ -263,6 +292,7 @@ Method stacks_row() {
       {"placement", "of vertices: mean, qef or particle (mean)"},
       {"filter", "that smoothes the densities: gauss or box (gauss)"},
       {"radius", "of the filter, voxels, 0 to 4 (1)"},
+      {"budget", "node meshes that a frame of a path may make, as the paper's 40; 0: all (0)"},
       {"voxel", "height of a voxel of a terrain of heights, metres (the mean spacing)"}};
   method.prepare = [](const terrain::Heightfield& field, const MethodChoice& choice) {
     if (field.stacks != nullptr && choice.parameters.contains("voxel"))
@@ -270,10 +300,11 @@ Method stacks_row() {
     const double voxel_m = number_parameter(choice, "voxel", 0.0);
     mesh::stacks::Parameters parameters = stacks_parameters(choice);
     parameters.is_truth = field.stacks != nullptr;
-    return adapt(mesh::stacks::prepare(
-                     field.stacks != nullptr ? *field.stacks : terrain::stacks_of(field, voxel_m),
-                     parameters),
-                 mesh::stacks::draw);
+    return std::make_unique<PreparedStacks>(
+        mesh::stacks::prepare(
+            field.stacks != nullptr ? *field.stacks : terrain::stacks_of(field, voxel_m),
+            parameters),
+        integer_parameter(choice, "budget", 0));
   };
   return method;
 }

@@ -45,6 +45,7 @@ terrain::Diagonal diagonal_of(const Scene& scene, const Method* method) {
 // One of the two.
 struct SceneDrawer::Painter {
   std::unique_ptr<const PreparedMethod> method;
+  std::unique_ptr<MethodRun> run;  // of that method
   std::unique_ptr<const reference::PyramidCaster> caster;
 };
 
@@ -72,6 +73,7 @@ void SceneDrawer::prepare() {
     painter->caster = std::make_unique<const reference::PyramidCaster>(*field_, diagonal_);
   } else {
     painter->method = prepare_method(*method_, *field_, scene_.choice, scene_.tolerance);
+    painter->run = painter->method->start();
   }
   painter_ = std::move(painter);
   prepare_s_ = watch.lap_s();
@@ -97,7 +99,7 @@ DrawnScene SceneDrawer::draw(const CameraDescription& camera, const StepListener
   if (by_rays) {
     drawn.hits = painter_->caster->cast_frame(drawn.camera);
   } else {
-    drawn.surface = painter_->method->draw(drawn.camera, scene_.tolerance);
+    drawn.surface = painter_->run->step(drawn.camera, scene_.tolerance);
     SurfacePicture picture = picture_of(drawn.surface, drawn.camera);
     drawn.hits = std::move(picture.image);
     layers = std::move(picture.layers);

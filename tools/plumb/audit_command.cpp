@@ -63,6 +63,7 @@ struct Run {
   const audit::HeightfieldTruth& truth;
   Progress& progress;
   std::unique_ptr<audit::PreparedMethod> prepared;  // null for a stranger's output
+  std::unique_ptr<audit::MethodRun> frames;         // of it
   Subject drawn;                                    // with a stranger's mesh
 };
 
@@ -80,6 +81,7 @@ void prepare(Run& run, const Camera& first) {
   Stopwatch watch;
   run.prepared = audit::prepare_method(*run.request.method, run.field, run.request.choice,
                                        run.request.tolerance);
+  run.frames = run.prepared->start();
   run.drawn.prepare_s = watch.lap_s();
 }
 
@@ -110,7 +112,7 @@ Audited audit_frame(Run& run, const Camera& camera, const std::string& frame) {
   if (run.prepared) {
     run.progress.step(where + "drawing");
     Stopwatch watch;
-    run.drawn.surface = run.prepared->draw(camera, run.request.tolerance);
+    run.drawn.surface = run.frames->step(camera, run.request.tolerance);
     run.drawn.draw_s = watch.lap_s();
   }
   run.progress.step(where + "casting the truth and measuring");
@@ -242,7 +244,7 @@ int run_audit(const AuditCommandOptions& options, const Invocation& invocation) 
                                          ? request.method->truth
                                          : terrain::parse_diagonal(options.terrain.diagonal);
   const audit::HeightfieldTruth truth(field, diagonal);
-  Run run{options, invocation, request, measures, field, truth, progress, nullptr, {}};
+  Run run{options, invocation, request, measures, field, truth, progress, nullptr, nullptr, {}};
   prepare(run, frames.front());
   if (!options.stranger.is_given() && diagonal != request.method->truth) {
     run.drawn.assumptions.push_back(fmt::format(

@@ -67,6 +67,15 @@ void Octree::divide(const Node& node) {
   }
 }
 
+void Octree::merge(const Node& node) {
+  require(is_divided(node), "only a divided node can be merged");
+  for (int k = 0; k < 8; ++k) {
+    const Node child = node.child(k);
+    require(!is_divided(child), "a node whose children are divided cannot be merged");
+    nodes_[static_cast<std::size_t>(child.level)].erase(key(child.at));
+  }
+}
+
 void Octree::divide(const Split& split) {
   std::vector<Node> pending{root()};
   while (!pending.empty()) {

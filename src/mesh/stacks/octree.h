@@ -78,8 +78,12 @@ class Octree {
   /// Divides one drawn node, and nothing else.
   void divide(const Node& node);
 
+  /// Draws a node in place of its children, which are drawn, and nothing else.
+  void merge(const Node& node);
+
   /// Drawn, or divided further.
   bool exists(const Node& node) const;
+  bool is_divided(const Node& node) const;
   bool is_drawn(const Node& node) const { return exists(node) && !is_divided(node); }
   /// Every drawn node, sorted.
   std::vector<Node> drawn() const;
@@ -90,7 +94,6 @@ class Octree {
 
  private:
   static std::uint64_t key(const glm::ivec3& at);
-  bool is_divided(const Node& node) const;
   void ensure(const Node& node);
 
   glm::ivec3 size_;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/check.h"
 #include "mesh/stacks/joined_surface.h"
 #include "mesh/stacks/selection.h"
 
@@ -82,6 +83,14 @@ DrawnSurface surface_of(const Prepared& prepared, const Octree& octree) {
 
 Octree octree_of(const Prepared& prepared) { return Octree(prepared.densities->size()); }
 
+Octree selection_of(const Prepared& prepared, const Camera& camera, const Tolerance& tolerance) {
+  const StackDensities& densities = *prepared.densities;
+  const Camera local = relative_to(camera, {densities.field().origin_m, 0.0});
+  return prepared.errors == nullptr ? published_selection(densities, local, tolerance)
+                                    : conservative_selection(densities, *prepared.errors,
+                                                             *prepared.cache, local, tolerance);
+}
+
 }  // namespace
 
 Prepared prepare(terrain::StackField field, const Parameters& parameters) {
@@ -97,15 +106,26 @@ Prepared prepare(terrain::StackField field, const Parameters& parameters) {
 }
 
 DrawnSurface draw(const Prepared& prepared, const Camera& camera, const Tolerance& tolerance) {
-  const StackDensities& densities = *prepared.densities;
-  const Camera local = relative_to(camera, {densities.field().origin_m, 0.0});
-  if (prepared.errors == nullptr)
-    return surface_of(prepared, published_selection(densities, local, tolerance));
-  DrawnSurface surface = surface_of(
-      prepared,
-      conservative_selection(densities, *prepared.errors, *prepared.cache, local, tolerance));
-  if (prepared.parameters.is_truth)
+  DrawnSurface surface = surface_of(prepared, selection_of(prepared, camera, tolerance));
+  if (prepared.errors != nullptr && prepared.parameters.is_truth)
     surface.claims.push_back({Measure::NearestError, tolerance.value, Unit::Pixel});
+  return surface;
+}
+
+Run::Run(Prepared prepared, int budget)
+    : prepared_(std::move(prepared)), tree_(prepared_.densities->size()), budget_(budget) {
+  require(budget >= 0, "a budget must be 0 or more node meshes, got {}", budget);
+}
+
+DrawnSurface Run::step(const Camera& camera, const Tolerance& tolerance) {
+  if (budget_ == 0) return draw(prepared_, camera, tolerance);
+  const TreeChange change =
+      tree_.step(selection_of(prepared_, camera, tolerance), is_started_ ? budget_ : 0);
+  is_started_ = true;
+  DrawnSurface surface = surface_of(prepared_, tree_.tree());
+  surface.notes.push_back(
+      fmt::format("{} nodes split, {} merged, {} meshes made in this frame; {} changes wait",
+                  change.splits, change.merges, change.updated, change.wanting));
   return surface;
 }
 

@@ -7,6 +7,7 @@
 #include "core/drawn_surface.h"
 #include "mesh/dual_contouring/smoothing.h"
 #include "mesh/dual_contouring/vertex_place.h"
+#include "mesh/stacks/amortised_tree.h"
 #include "mesh/stacks/level_errors.h"
 #include "mesh/stacks/node_cache.h"
 #include "mesh/stacks/stack_densities.h"
@@ -43,6 +44,23 @@ Prepared prepare(terrain::StackField field, const Parameters& parameters = {});
 ///               of stacks; of heights it claims nothing, as its finest surface is not theirs
 /// Source: [Löffler, Müller & Schumann 2011].
 DrawnSurface draw(const Prepared& prepared, const Camera& camera, const Tolerance& tolerance);
+
+/// A flight: after its first frame, what is drawn follows what the camera asks for by `budget` node
+/// meshes a frame.
+class Run {
+ public:
+  /// budget  0: none, each frame is draw()'s
+  Run(Prepared prepared, int budget);
+  /// With a budget nothing is claimed, as what is drawn may lag behind. A note says what was
+  /// changed and what waits.
+  DrawnSurface step(const Camera& camera, const Tolerance& tolerance);
+
+ private:
+  Prepared prepared_;
+  AmortisedTree tree_;
+  int budget_;
+  bool is_started_ = false;
+};
 
 /// The surface of the finest level everywhere: the truth that the others approximate.
 DrawnSurface finest(const Prepared& prepared);
