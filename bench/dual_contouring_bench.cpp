@@ -8,6 +8,9 @@
 #include "mesh/dual_contouring/quadrangulate.h"
 #include "mesh/dual_contouring/smoothing.h"
 #include "terrain/gradient_noise.h"
+#ifdef PLUMB_WITH_OPENVDB
+#include "openvdb_mesher.h"
+#endif
 
 namespace plumb::bench {
 namespace {
@@ -114,7 +117,60 @@ void filter(benchmark::State& state, Filter filter) {
   set_voxels(state);
 }
 
+// With air on the outermost samples, so that both meshes end nowhere.
+const Lattice<float>& capped() {
+  static const Lattice<float> kDensity = [] {
+    Lattice<float> density = terrain_with_caves();
+    const LatticeBox inner = density.box().grown(-1);
+    for (std::size_t k = 0; k < density.values().size(); ++k) {
+      if (!inner.contains(density.box().at(k))) density.values()[k] = 0.0F;
+    }
+    return density;
+  }();
+  return kDensity;
+}
+
+void set_size(benchmark::State& state, std::size_t vertices, std::size_t quads) {
+  set_voxels(state);
+  state.counters["vertices"] = static_cast<double>(vertices);
+  state.counters["quads"] = static_cast<double>(quads);
+}
+
+void peer_ours(benchmark::State& state, Options options) {
+  const Lattice<float>& density = capped();
+  QuadMesh mesh;
+  measure(state, [&] { mesh = quadrangulate(density, options); });
+  set_size(state, mesh.position.size(), mesh.quads.size());
+}
+
+#ifdef PLUMB_WITH_OPENVDB
+void peer_openvdb(benchmark::State& state) {
+  const OpenVdbMesher mesher(capped());
+  OpenVdbMesher::Size size;
+  measure(state, [&] { size = mesher.mesh(); });
+  set_size(state, size.vertices, size.quads);
+}
+
+void peer_openvdb_copy(benchmark::State& state) {
+  const Lattice<float>& density = capped();
+  measure(state, [&] { const OpenVdbMesher mesher(density); });
+  set_voxels(state);
+}
+#endif
+
+void add_peers() {
+  add("peer/published/mean", peer_ours, Options{Variant::Published, Placement::Mean});
+  for (const Placement placement : {Placement::Mean, Placement::Qef})
+    add(std::string("peer/conservative/") + name_of(placement), peer_ours,
+        Options{Variant::Conservative, placement});
+#ifdef PLUMB_WITH_OPENVDB
+  add("peer/openvdb", peer_openvdb);
+  add("peer/openvdb/copy", peer_openvdb_copy);
+#endif
+}
+
 void add_all() {
+  add_peers();
   for (const Placement placement : {Placement::Mean, Placement::Qef, Placement::Particle}) {
     const std::string name = name_of(placement);
     add("conservative/" + name, whole, Options{Variant::Conservative, placement});

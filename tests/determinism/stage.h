@@ -21,6 +21,7 @@ std::vector<Stage> reference_stages();
 std::vector<Stage> report_stages();
 std::vector<Stage> mesh_stages();
 std::vector<Stage> contouring_stages();  // of mesh, too
+std::vector<Stage> stack_stages();       // of mesh, too
 std::vector<Stage> slicing_stages();
 std::vector<Stage> audit_stages();
 std::vector<Stage> compare_stages();

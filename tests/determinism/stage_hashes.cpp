@@ -10,9 +10,9 @@ int main(int argc, char** argv) {
   using namespace plumb::determinism;
   const plumb::ThreadLimit limit(argc > 1 ? std::atoi(argv[1]) : 0);
   std::vector<Stage> stages;
-  for (const auto& module :
-       {core_stages(), terrain_stages(), raster_stages(), reference_stages(), report_stages(),
-        mesh_stages(), contouring_stages(), slicing_stages(), audit_stages(), compare_stages()})
+  for (const auto& module : {core_stages(), terrain_stages(), raster_stages(), reference_stages(),
+                             report_stages(), mesh_stages(), contouring_stages(), stack_stages(),
+                             slicing_stages(), audit_stages(), compare_stages()})
     stages.insert(stages.end(), module.begin(), module.end());
   for (const Stage& stage : stages)
     std::printf("%-32s %016llx\n", stage.name, static_cast<unsigned long long>(stage.run()));

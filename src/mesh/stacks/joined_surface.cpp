@@ -15,13 +15,12 @@ struct NameHash {
   }
 };
 
-// A cell within one node alone belongs to no other: those on its rims are what is shared.
+// Nodes of a level meet at multiples of 16 of its voxels, those of finer levels at a coarser node
+// too: a cell that several of them have reaches over such a place.
 bool may_be_shared(const VertexName& name) {
-  for (int axis = 0; axis < 3; ++axis) {
-    // The last cell of a node reaches into the next one; a coarser level's cells are shared.
-    if ((name.cell[axis] & (kNodeVoxels / 2 - 1)) == kNodeVoxels / 2 - 1) return true;
-  }
-  return false;
+  constexpr int kLast = kNodeVoxels - 1;
+  return (name.cell.x & kLast) == kLast || (name.cell.y & kLast) == kLast ||
+         (name.cell.z & kLast) == kLast;
 }
 
 }  // namespace

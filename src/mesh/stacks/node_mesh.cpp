@@ -1,6 +1,8 @@
 #include "mesh/stacks/node_mesh.h"
 
 #include <algorithm>
+#include <bit>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -36,83 +38,64 @@ LatticeBox halved(const LatticeBox& cells) {
   return {low, glm::ivec3(last.x >> 1, last.y >> 1, last.z >> 1) - low + 1};
 }
 
-// What lies where a sample `p` of the node's own level lies; `per_node` samples a node.
-Beside beside_at(const Surroundings& around, const glm::ivec3& p, int per_node) {
-  int k = 13, step = 1;
-  for (int axis = 0; axis < 3; ++axis, step *= 3)
-    k += p[axis] < 0 ? -step : p[axis] >= per_node ? step : 0;
-  return around[static_cast<std::size_t>(k)];
-}
-
-// Whether a block of 2 x 2 x 2 samples lies in a coarser node or touches one, itself not being
-// divided further: its densities are then the next level's.
-bool is_replaced(const Surroundings& around, const glm::ivec3& block) {
-  const Beside here = beside_at(around, block, kNodeVoxels / 2);
-  if (here == Beside::Coarser) return true;
-  if (here == Beside::Finer) return false;
-  for (int k = 0; k < 27; ++k) {
-    const glm::ivec3 offset(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
-    if (beside_at(around, block + offset, kNodeVoxels / 2) == Beside::Coarser) return true;
-  }
-  return false;
-}
-
-template <class Visit>
-void for_each(const LatticeBox& box, const Visit& visit) {
-  const glm::ivec3 high = box.high();
-  for (int z = box.low.z; z < high.z; ++z)
-    for (int y = box.low.y; y < high.y; ++y)
-      for (int x = box.low.x; x < high.x; ++x) visit(glm::ivec3(x, y, z));
-}
-
 // The cells of the node's level, and of the next one where a coarser node is beside it.
 struct NodeCells {
   std::optional<LevelCells> fine, coarse;
 };
 
-Lattice<Owner> owners_of(const LatticeBox& box, const glm::ivec3& low, int per_node,
-                         const Surroundings& around, bool of_coarser_level) {
-  Lattice<Owner> owners(box);
-  for_each(box, [&](const glm::ivec3& p) {
-    const Beside beside = beside_at(around, p - low, per_node);
-    const Owner fine = beside == Beside::Coarser ? Owner::Coarser
-                       : beside == Beside::Finer ? Owner::Finer
-                                                 : Owner::Own;
-    const bool is_own = beside == Beside::Coarser || beside == Beside::Outside;
-    owners(p) = !of_coarser_level ? fine : is_own ? Owner::Own : Owner::Finer;
-  });
-  return owners;
+// A block of 2 x 2 x 2 samples that lies in a coarser node or touches one, itself not being divided
+// further, has the next level's densities. `blocks`: the places that blocks lie in.
+Lattice<float> replaced(const Lattice<float>& smoothed, const Lattice<float>& next,
+                        const NodePlaces& blocks) {
+  Lattice<float> drawn = smoothed;
+  const glm::ivec3 low = drawn.box().low, high = drawn.box().high(), next_low = next.box().low;
+  const PlaceBits coarser = blocks.kind(Beside::Coarser), finer = blocks.kind(Beside::Finer);
+  for (int z = low.z; z < high.z; ++z) {
+    for (int y = low.y; y < high.y; ++y) {
+      const int by = y >> 1, bz = z >> 1;
+      const PlaceBits touched = blocks.along(1, by - 1, by + 1) & blocks.along(2, bz - 1, bz + 1);
+      if ((touched & coarser) == 0) continue;
+      const PlaceBits here = blocks.along(1, by, by) & blocks.along(2, bz, bz);
+      const auto row = drawn.row(y, z);
+      const auto next_row = next.row(by, bz);
+      for (int x = low.x; x < high.x; ++x) {
+        const int bx = x >> 1;
+        if ((blocks.along(0, bx - 1, bx + 1) & touched & coarser) != 0 &&
+            (blocks.along(0, bx, bx) & here & finer) == 0)
+          row[static_cast<std::size_t>(x - low.x)] =
+              next_row[static_cast<std::size_t>(bx - next_low.x)];
+      }
+    }
+  }
+  return drawn;
 }
 
+// True where all samples are inside, or none is.
+bool is_one_sided(const Lattice<float>& density) {
+  std::size_t inside = 0;
+  for (const float value : density.values()) inside += dual_contouring::is_inside(value) ? 1 : 0;
+  return inside == 0 || inside == density.values().size();
+}
+
+// None where no edge of the node can cross the surface.
 NodeCells cells_of(const Node& node, const Surroundings& around, const DensitySource& densities) {
   NodeCells cells;
-  const glm::ivec3 low = node.at * kNodeVoxels, half = node.at * (kNodeVoxels / 2);
-  const LatticeBox box = voxels_of(node).grown(kMargin);
-  Lattice<float> smoothed = densities(node.level, box);
-  const bool is_alike = std::all_of(around.begin(), around.end(), [](Beside beside) {
-    return beside == Beside::Same || beside == Beside::Outside;
-  });
-  if (is_alike) {
-    Lattice<float> drawn = smoothed;
-    cells.fine.emplace(std::move(smoothed), std::move(drawn), Lattice<Owner>());
+  const NodePlaces places(around, node.at * kNodeVoxels, kNodeVoxels);
+  const PlaceBits coarser = places.kind(Beside::Coarser), outside = places.kind(Beside::Outside);
+  Lattice<float> smoothed = densities(node.level, voxels_of(node).grown(kMargin));
+  const Owners owners{places, places.kind(Beside::Same) | outside, coarser};
+  if (coarser == 0) {
+    if (!is_one_sided(smoothed)) cells.fine.emplace(std::move(smoothed), std::nullopt, owners);
     return cells;
   }
-  Lattice<float> drawn = smoothed;
-  Lattice<Owner> owners = owners_of(box, low, kNodeVoxels, around, false);
-  if (std::find(around.begin(), around.end(), Beside::Coarser) != around.end()) {
-    const LatticeBox cells_there = halved(cells_around(voxels_of(node)));
-    const LatticeBox coarse{cells_there.low - 1,
-                            cells_there.size + 3};  // their samples, and beside
-    Lattice<float> next = densities(node.level + 1, coarse);
-    for_each(box, [&](const glm::ivec3& p) {
-      const glm::ivec3 block(p.x >> 1, p.y >> 1, p.z >> 1);
-      if (is_replaced(around, block - half)) drawn(p) = next(block);
-    });
-    Lattice<float> same = next;
-    cells.coarse.emplace(std::move(next), std::move(same),
-                         owners_of(coarse, half, kNodeVoxels / 2, around, true));
-  }
-  cells.fine.emplace(std::move(smoothed), std::move(drawn), std::move(owners));
+  // The next level's cells beside the node, their samples, and those beside them.
+  const LatticeBox beside = halved(cells_around(voxels_of(node)));
+  Lattice<float> next = densities(node.level + 1, {beside.low - 1, beside.size + 3});
+  const NodePlaces blocks(around, node.at * (kNodeVoxels / 2), kNodeVoxels / 2);
+  Lattice<float> drawn = replaced(smoothed, next, blocks);
+  if (is_one_sided(drawn)) return cells;
+  cells.fine.emplace(std::move(smoothed), std::move(drawn), owners);
+  cells.coarse.emplace(std::move(next), std::nullopt, Owners{blocks, coarser | outside, 0});
   return cells;
 }
 
@@ -156,16 +139,19 @@ class Mesher {
         outline_(options.outline),
         fine_(cells_around(voxels_of(node))),
         coarse_(halved(fine_)),
-        vertex_(kSlots * (fine_.count() + coarse_.count()), kNoCorner) {}
+        used_((kSlots * (fine_.count() + coarse_.count()) + 63) / 64),
+        vertex_(std::make_unique_for_overwrite<std::uint32_t[]>(64 * used_.size())) {}
 
   NodeMesh mesh() {
-    for_each(voxels_of(node_), [&](const glm::ivec3& p) { add_faces(p); });
-    for (std::uint32_t slot = 0; slot < vertex_.size(); ++slot) {
-      if (vertex_[slot] != kNoCorner) add_vertex(slot);
-    }
+    const LatticeBox voxels = voxels_of(node_);
+    const glm::ivec3 low = voxels.low, high = voxels.high();
+    for (int z = low.z; z < high.z; ++z)
+      for (int y = low.y; y < high.y; ++y) add_row({low.x, y, z}, voxels.size.x);
+    add_vertices();
     for (Face& face : mesh_.faces) {
       for (std::uint32_t& corner : face) corner = corner == kNoCorner ? kNoCorner : vertex_[corner];
     }
+    mesh_.faces.shrink_to_fit();
     return std::move(mesh_);
   }
 
@@ -185,20 +171,33 @@ class Mesher {
     return static_cast<std::uint32_t>(at) * kSlots + static_cast<std::uint32_t>(loop);
   }
 
-  void add_faces(const glm::ivec3& p) {
-    const int mask = cells_.fine->mask(p);
-    const bool is_inside = (mask & 1) != 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      if ((mask >> (1 << axis) & 1) == (is_inside ? 1 : 0)) continue;
-      if (!outline_.holds(node_.level, p, axis)) continue;
-      glm::ivec3 a(0), b(0);
-      a[(axis + 1) % 3] = b[(axis + 2) % 3] = 1;
-      std::array<glm::ivec3, 4> around{p - a - b, p - b, p, p - a};
-      if (!is_inside) std::swap(around[1], around[3]);
-      Face slots{};
-      for (std::size_t k = 0; k < 4; ++k) slots[k] = slot_of(around[k], p, axis);
-      add_face(slots);
+  // The edges that start in `count` voxels from p on along x.
+  void add_row(const glm::ivec3& p, int count) {
+    const dual_contouring::InsideBits& inside = cells_.fine->inside();
+    const glm::ivec3 at = p - inside.samples().low;
+    const std::uint64_t here = inside.row(at.y, at.z)[0] >> at.x;
+    const std::uint64_t crossing[] = {here ^ here >> 1,
+                                      here ^ inside.row(at.y + 1, at.z)[0] >> at.x,
+                                      here ^ inside.row(at.y, at.z + 1)[0] >> at.x};
+    std::uint64_t any = (crossing[0] | crossing[1] | crossing[2]) & ((1U << count) - 1);
+    for (; any != 0; any &= any - 1) {
+      const int x = std::countr_zero(any);
+      for (int axis = 0; axis < 3; ++axis) {
+        if ((crossing[axis] >> x & 1) != 0)
+          add_edge(p + glm::ivec3(x, 0, 0), axis, (here >> x & 1) != 0);
+      }
     }
+  }
+
+  void add_edge(const glm::ivec3& p, int axis, bool is_inside) {
+    if (!outline_.holds(node_.level, p, axis)) return;
+    glm::ivec3 a(0), b(0);
+    a[(axis + 1) % 3] = b[(axis + 2) % 3] = 1;
+    std::array<glm::ivec3, 4> around{p - a - b, p - b, p, p - a};
+    if (!is_inside) std::swap(around[1], around[3]);
+    Face slots{};
+    for (std::size_t k = 0; k < 4; ++k) slots[k] = slot_of(around[k], p, axis);
+    add_face(slots);
   }
 
   void add_face(const Face& slots) {
@@ -213,8 +212,22 @@ class Mesher {
       ++mesh_.faces_vanished;
       return;
     }
-    for (std::size_t k = 0; k < corners; ++k) vertex_[face[k]] = 0;
+    for (std::size_t k = 0; k < corners; ++k)
+      used_[face[k] / 64] |= std::uint64_t{1} << face[k] % 64;
     mesh_.faces.push_back(face);
+  }
+
+  void add_vertices() {
+    std::size_t count = 0;
+    for (const std::uint64_t word : used_) count += static_cast<std::size_t>(std::popcount(word));
+    mesh_.names.reserve(count);
+    mesh_.position.reserve(count);
+    mesh_.normal.reserve(count);
+    for (std::size_t at = 0; at < used_.size(); ++at) {
+      for (std::uint64_t word = used_[at]; word != 0; word &= word - 1)
+        add_vertex(static_cast<std::uint32_t>(64 * at) +
+                   static_cast<std::uint32_t>(std::countr_zero(word)));
+    }
   }
 
   void add_vertex(std::uint32_t slot) {
@@ -239,8 +252,9 @@ class Mesher {
   const NodeCells& cells_;
   const NodeMeshOptions& options_;
   Outline outline_;
-  LatticeBox fine_, coarse_;           // the cells that have slots
-  std::vector<std::uint32_t> vertex_;  // of each slot
+  LatticeBox fine_, coarse_;                 // the cells that have slots
+  std::vector<std::uint64_t> used_;          // the slots that have a vertex, a bit each
+  std::unique_ptr<std::uint32_t[]> vertex_;  // of each of these
   NodeMesh mesh_;
 };
 
@@ -254,7 +268,7 @@ std::size_t NodeMesh::bytes() const {
 NodeMesh node_mesh(const Node& node, const Surroundings& around, const DensitySource& densities,
                    const NodeMeshOptions& options) {
   const NodeCells cells = cells_of(node, around, densities);
-  return Mesher(node, cells, options).mesh();
+  return cells.fine ? Mesher(node, cells, options).mesh() : NodeMesh();
 }
 
 }  // namespace plumb::mesh::stacks
