@@ -3,11 +3,14 @@
 
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "audit/audit.h"
 #include "audit/audit_json.h"
 #include "audit/audit_page.h"
 #include "audit/frame_memory.h"
+#include "audit/solid_audit.h"
+#include "audit/truth_terms.h"
 #include "audit/verdict_text.h"
 #include "audit_text.h"
 #include "command.h"
@@ -60,7 +63,8 @@ struct Run {
   const MethodRequest request;
   const audit::AuditOptions measures;
   const terrain::Heightfield& field;
-  const audit::HeightfieldTruth& truth;
+  const terrain::Diagonal diagonal;  // of the truth, where it is a heightfield
+  const audit::TruthTerms truth;
   Progress& progress;
   std::unique_ptr<audit::PreparedMethod> prepared;  // null for a stranger's output
   Subject drawn;                                    // with a stranger's mesh
@@ -92,17 +96,24 @@ struct Audited {
 // The truth is cast first, and what does not fit it is not audited.
 AuditResult audit_depth(Run& run, const Camera& camera) {
   Stopwatch watch;
-  DepthFrame frame = read_depth_frame(run.options.stranger, run.truth, camera, run.measures.band,
+  const audit::HeightfieldTruth& truth = *run.truth.heights();
+  DepthFrame frame = read_depth_frame(run.options.stranger, truth, camera, run.measures.band,
                                       run.request.tolerance);
   static_cast<Stranger&>(run.drawn) = std::move(frame.stranger);
   if (!run.drawn.warnings.empty()) run.progress.finish();
   for (const std::string& line : run.drawn.warnings) warn(line);
   const double truth_s = watch.lap_s();
-  AuditResult result =
-      audit::audit_picture(run.truth, std::move(frame.true_hits), run.drawn.surface,
-                           std::move(frame.drawn), camera, run.measures);
+  AuditResult result = audit::audit_picture(truth, std::move(frame.true_hits), run.drawn.surface,
+                                            std::move(frame.drawn), camera, run.measures);
   result.times.truth_s = truth_s;
   return result;
+}
+
+AuditResult audit_drawn(const Run& run, const Camera& camera) {
+  const DrawnSurface& surface = run.drawn.surface;
+  return run.truth.mesh() != nullptr
+             ? audit::audit_surface(*run.truth.mesh(), surface, camera, run.measures)
+             : audit::audit_surface(*run.truth.heights(), surface, camera, run.measures);
 }
 
 Audited audit_frame(Run& run, const Camera& camera, const std::string& frame) {
@@ -115,10 +126,8 @@ Audited audit_frame(Run& run, const Camera& camera, const std::string& frame) {
   }
   run.progress.step(where + "casting the truth and measuring");
   const bool is_depth = run.options.stranger.is_depth();
-  Audited audited{is_depth
-                      ? audit_depth(run, camera)
-                      : audit::audit_surface(run.truth, run.drawn.surface, camera, run.measures),
-                  {&run.field, run.truth.diagonal(), run.request.method->name, run.request.variant,
+  Audited audited{is_depth ? audit_depth(run, camera) : audit_drawn(run, camera),
+                  {&run.field, run.diagonal, run.request.method->name, run.request.variant,
                    run.request.choice.parameters, run.request.tolerance, camera,
                    run.options.camera.camera, run.invocation.command_line(), run.drawn.assumptions,
                    run.drawn.hints, run.drawn.surface.notes},
@@ -217,6 +226,38 @@ int audit_path(Run& run, const std::vector<Camera>& frames) {
   return exit_status(count.verdict());
 }
 
+// Of one kind or the other.
+class Truth {
+ public:
+  Truth(const AuditCommandOptions& options, const MethodRequest& request,
+        const terrain::Heightfield& field, terrain::Diagonal diagonal, Progress& progress) {
+    if (!options.stranger.is_given()) audit::require_drawable(*request.method, field);
+    if (field.stacks == nullptr) {
+      heights_.emplace(field, diagonal);
+      return;
+    }
+    if (options.stranger.is_depth())
+      input_error(
+          "--depth: {} is a terrain of stacks, of which depth buffers are not audited yet; a mesh "
+          "is, with --mesh",
+          field.provenance.source);
+    if (!options.terrain.diagonal.empty())
+      input_error("--diagonal: {} is a terrain of stacks, which has no cells with diagonals",
+                  field.provenance.source);
+    progress.step("making the truth");
+    mesh_.emplace(field, audit::full_detail_of_stacks(audit::built_in_methods(), field,
+                                                      request.method, request.choice));
+  }
+
+  audit::TruthTerms terms() const {
+    return mesh_ ? audit::TruthTerms(*mesh_) : audit::TruthTerms(*heights_);
+  }
+
+ private:
+  std::optional<audit::HeightfieldTruth> heights_;
+  std::optional<audit::MeshTruth> mesh_;
+};
+
 int run_audit(const AuditCommandOptions& options, const Invocation& invocation) {
   const ThreadLimit limit(options.threads);
   if (options.output == "-")
@@ -241,10 +282,15 @@ int run_audit(const AuditCommandOptions& options, const Invocation& invocation) 
   const terrain::Diagonal diagonal = options.terrain.diagonal.empty()
                                          ? request.method->truth
                                          : terrain::parse_diagonal(options.terrain.diagonal);
-  const audit::HeightfieldTruth truth(field, diagonal);
-  Run run{options, invocation, request, measures, field, truth, progress, nullptr, {}};
+  const Truth truth(options, request, field, diagonal, progress);
+  Run run{options,  invocation,    request,  measures, field,
+          diagonal, truth.terms(), progress, nullptr,  {}};
   prepare(run, frames.front());
-  if (!options.stranger.is_given() && diagonal != request.method->truth) {
+  if (run.truth.mesh() != nullptr) {
+    run.drawn.assumptions.push_back(
+        "the truth is the stacks' finest level as a mesh, by the filter and placement that the "
+        "method has");
+  } else if (!options.stranger.is_given() && diagonal != request.method->truth) {
     run.drawn.assumptions.push_back(fmt::format(
         "the claims of {} are judged on a surface whose diagonals are {}; what it "
         "approximates has {} ones",
