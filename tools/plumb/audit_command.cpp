@@ -3,16 +3,15 @@
 
 #include <iostream>
 #include <memory>
-#include <optional>
 
 #include "audit/audit.h"
 #include "audit/audit_json.h"
 #include "audit/audit_page.h"
 #include "audit/frame_memory.h"
 #include "audit/solid_audit.h"
-#include "audit/truth_terms.h"
 #include "audit/verdict_text.h"
 #include "audit_text.h"
+#include "audit_truth.h"
 #include "command.h"
 #include "common_options.h"
 #include "core/check.h"
@@ -226,38 +225,6 @@ int audit_path(Run& run, const std::vector<Camera>& frames) {
   return exit_status(count.verdict());
 }
 
-// Of one kind or the other.
-class Truth {
- public:
-  Truth(const AuditCommandOptions& options, const MethodRequest& request,
-        const terrain::Heightfield& field, terrain::Diagonal diagonal, Progress& progress) {
-    if (!options.stranger.is_given()) audit::require_drawable(*request.method, field);
-    if (field.stacks == nullptr) {
-      heights_.emplace(field, diagonal);
-      return;
-    }
-    if (options.stranger.is_depth())
-      input_error(
-          "--depth: {} is a terrain of stacks, of which depth buffers are not audited yet; a mesh "
-          "is, with --mesh",
-          field.provenance.source);
-    if (!options.terrain.diagonal.empty())
-      input_error("--diagonal: {} is a terrain of stacks, which has no cells with diagonals",
-                  field.provenance.source);
-    progress.step("making the truth");
-    mesh_.emplace(field, audit::full_detail_of_stacks(audit::built_in_methods(), field,
-                                                      request.method, request.choice));
-  }
-
-  audit::TruthTerms terms() const {
-    return mesh_ ? audit::TruthTerms(*mesh_) : audit::TruthTerms(*heights_);
-  }
-
- private:
-  std::optional<audit::HeightfieldTruth> heights_;
-  std::optional<audit::MeshTruth> mesh_;
-};
-
 int run_audit(const AuditCommandOptions& options, const Invocation& invocation) {
   const ThreadLimit limit(options.threads);
   if (options.output == "-")
@@ -282,20 +249,17 @@ int run_audit(const AuditCommandOptions& options, const Invocation& invocation) 
   const terrain::Diagonal diagonal = options.terrain.diagonal.empty()
                                          ? request.method->truth
                                          : terrain::parse_diagonal(options.terrain.diagonal);
-  const Truth truth(options, request, field, diagonal, progress);
+  if (!options.stranger.is_given()) audit::require_drawable(*request.method, field);
+  if (field.stacks != nullptr) {
+    require_fitting_stacks(options.terrain, options.stranger, field);
+    progress.step("making the truth");
+  }
+  const AuditTruth truth(field, diagonal, request);
   Run run{options,  invocation,    request,  measures, field,
           diagonal, truth.terms(), progress, nullptr,  {}};
   prepare(run, frames.front());
-  if (run.truth.mesh() != nullptr) {
-    run.drawn.assumptions.push_back(
-        "the truth is the stacks' finest level as a mesh, by the filter and placement that the "
-        "method has");
-  } else if (!options.stranger.is_given() && diagonal != request.method->truth) {
-    run.drawn.assumptions.push_back(fmt::format(
-        "the claims of {} are judged on a surface whose diagonals are {}; what it "
-        "approximates has {} ones",
-        request.method->name, terrain::name_of(diagonal), terrain::name_of(request.method->truth)));
-  }
+  for (std::string& line : truth.assumptions(request, options.stranger.is_given()))
+    run.drawn.assumptions.push_back(std::move(line));
   return frames.size() == 1 ? audit_one(run, frames.front()) : audit_path(run, frames);
 }
 
