@@ -15,6 +15,7 @@
 #include "audit/sample_error.h"
 #include "audit/topology.h"
 #include "audit/truth.h"
+#include "audit/vertex_distances.h"
 #include "core/camera.h"
 #include "core/drawn_surface.h"
 #include "core/hit_image.h"
@@ -39,12 +40,18 @@ struct AuditOptions {
   int most_listed = 20;  // worst offenders and flaws of a kind
 };
 
-/// Errors to the nearest point of the other surface, projected. They are no screen distances and
-/// judge nothing.
+/// Errors to the nearest point of the other surface, projected. They are no screen distances, and
+/// judge nothing that does not claim them.
 struct NearestErrors {
   std::vector<float> forward_px;  // a pixel each: from the point drawn; NaN where nothing is
   std::vector<float> reverse_px;  // from the truth's; empty for a surface without a mesh
   Distribution forward, reverse;
+  /// Of a truth that is no heightfield, else empty: the distances themselves, and those of the
+  /// vertices of both surfaces, in view or not.
+  std::vector<float> forward_m, reverse_m;
+  Distribution forward_metres, reverse_metres;
+  std::vector<std::uint32_t> reverse_triangle;  // that holds the nearest drawn point; a pixel each
+  VertexDistances forward_vertices, reverse_vertices;
 };
 
 /// A place worth looking at.
@@ -104,6 +111,9 @@ struct AuditResult {
   /// `coverage` and where the points are seen are measured of it.
   bool of_mesh = true;
   bool of_solid = false;  // without a mesh: see DrawnSurface::is_solid
+  /// False: the truth is a mesh that is no heightfield (solid_audit.h). `samples`, `edges`,
+  /// `pixels`, `reverse_pixels` and what is vertical are not measured then, and empty.
+  bool of_heights = true;
   /// Pixels that are not judged, 1 each (set_aside.h), and how many; empty but for a solid.
   std::vector<std::uint8_t> set_aside;
   std::int64_t pixels_set_aside = 0;

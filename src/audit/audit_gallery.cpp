@@ -13,8 +13,8 @@ namespace {
 // limit.
 double pixel_bound(const AuditResult& result) {
   for (const ClaimResult& c : result.claims) {
-    if (c.claim.unit == Unit::Pixel && c.label == name_of(Measure::PixelError))
-      return c.claim.bound;
+    const Measure measure = result.of_heights ? Measure::PixelError : Measure::NearestError;
+    if (c.claim.unit == Unit::Pixel && c.label == name_of(measure)) return c.claim.bound;
   }
   return 0.0;
 }
@@ -34,26 +34,38 @@ std::vector<std::uint8_t> png_of(const image::Rgb8Image& picture) {
 }  // namespace
 
 std::vector<Shown> gallery(const AuditResult& result, const AuditSubject& subject,
-                           const DrawnSurface& surface, const HeightfieldTruth& truth) {
+                           const DrawnSurface& surface, const TruthTerms& truth) {
   const image::Rgb8Image true_picture = truth_picture(result, truth, subject.camera);
   const image::Rgb8Image drawn = drawn_picture(result, truth, surface, subject.camera);
   const double bound = pixel_bound(result);
-  const std::string vertical = "Distance on screen to the truth above or below";
-  ErrorMap errors = error_map(result, result.pixels.vertical_px, vertical, bound);
+  const std::string vertical = "Distance on screen to the truth above or below",
+                    nearest = "Distance on screen to the nearest point of the truth",
+                    reverse = "Distance on screen from the truth to the nearest point drawn";
   std::vector<Shown> shown;
   shown.push_back({"truth.png", "truth", "Rays against the full-detail surface.", true_picture});
   shown.push_back({"drawn.png", "drawn", "What the method draws.", drawn});
   shown.push_back({"difference.png", "difference", "Colours apart, four times as strong.",
                    difference_picture(true_picture, drawn)});
-  shown.push_back({"summary.png", "", "", side_by_side({true_picture, drawn, errors.picture})});
-  shown.push_back(
-      shown_map("pixel-error.png", "pixel error", std::move(errors), vertical + ", in pixels"));
-  if (!result.nearest.forward_px.empty()) {
-    const std::string nearest = "Distance on screen to the nearest point of the truth";
-    shown.push_back(shown_map("nearest-error.png", "nearest",
-                              error_map(result, result.nearest.forward_px, nearest, bound),
-                              nearest + ", in pixels"));
+  const auto summarise = [&](const ErrorMap& errors) {
+    shown.push_back({"summary.png", "", "", side_by_side({true_picture, drawn, errors.picture})});
+  };
+  const auto add_map = [&](const char* file, const char* name, ErrorMap errors,
+                           const std::string& title) {
+    shown.push_back(shown_map(file, name, std::move(errors), title + ", in pixels"));
+  };
+  if (result.of_heights) {
+    ErrorMap errors = error_map(result, result.pixels.vertical_px, vertical, bound);
+    summarise(errors);
+    add_map("pixel-error.png", "pixel error", std::move(errors), vertical);
   }
+  if (!result.nearest.forward_px.empty()) {
+    ErrorMap errors = error_map(result, result.nearest.forward_px, nearest, bound);
+    if (!result.of_heights) summarise(errors);
+    add_map("nearest-error.png", "nearest", std::move(errors), nearest);
+  }
+  if (!result.of_heights && !result.nearest.reverse_px.empty())
+    add_map("reverse-error.png", "from the truth",
+            error_map(result, result.nearest.reverse_px, reverse, bound), reverse);
   if (!surface.kinds.empty()) {
     const std::vector<std::uint16_t>& overdraw = result.drawn.overdraw;
     const std::string fragments = "Fragments tested for each pixel";

@@ -7,6 +7,7 @@
 
 #include "audit/audit.h"
 #include "audit/audit_subject.h"
+#include "audit/truth_terms.h"
 #include "image/colour_image.h"
 #include "report/html_page.h"
 
@@ -21,9 +22,10 @@ struct Shown {
   image::Rgb8Image in_folder = {};  // in its place in the folder, where not empty
 };
 
-/// Truth, drawn, difference, summary, maps of errors, triangles and coverage.
+/// Truth, drawn, difference, summary, maps of errors, triangles and coverage, as far as they were
+/// measured.
 std::vector<Shown> gallery(const AuditResult& result, const AuditSubject& subject,
-                           const DrawnSurface& surface, const HeightfieldTruth& truth);
+                           const DrawnSurface& surface, const TruthTerms& truth);
 
 /// Writes the pictures into the folder and gives those of the page. Throws InputError if one
 /// cannot be written.

@@ -24,7 +24,7 @@ Json terrain_json(const AuditSubject& subject) {
           {"spacing_m", {field.dx_m, field.dy_m}},
           {"origin_m", {field.origin_m.x, field.origin_m.y}},
           {"voids", from.voids_declared + from.voids_not_finite},
-          {"diagonal", name_of(subject.truth)},
+          {"diagonal", subject.field->stacks ? Json(nullptr) : Json(name_of(subject.truth))},
           {"assumptions", from.assumptions}};
 }
 
@@ -104,6 +104,14 @@ Json topology_json(const Topology& t) {
           {"largest_lod_jump", t.largest_lod_jump}};
 }
 
+// What only a truth that is no heightfield has.
+Json solid_errors_json(const NearestErrors& n) {
+  return {{"pixel_nearest_m", distribution_json(n.forward_metres)},
+          {"pixel_nearest_reverse_m", distribution_json(n.reverse_metres)},
+          {"vertex_m", distribution_json(n.forward_vertices.distribution)},
+          {"vertex_reverse_m", distribution_json(n.reverse_vertices.distribution)}};
+}
+
 Json cost_json(const Cost& c) {
   return {{"vertices", c.vertices},
           {"triangles", c.triangles},
@@ -145,24 +153,32 @@ std::string audit_json(const AuditResult& result, const AuditSubject& subject) {
   const auto of_mesh = [&](Json value) {
     return result.of_mesh ? std::move(value) : Json(nullptr);
   };
+  // null: only of heightfields it is measured.
+  const auto of_heights = [&](Json value) {
+    return result.of_mesh && result.of_heights ? std::move(value) : Json(nullptr);
+  };
   json["errors"] = {
-      {"sample_m", of_mesh(distribution_json(result.samples.metres))},
-      {"sample_px", of_mesh(distribution_json(result.samples.pixels))},
-      {"sample_visible_px", of_mesh(distribution_json(result.samples.visible_pixels))},
-      {"between_samples", of_mesh({{"places", result.edges.places},
-                                   {"max_m", result.edges.max_m},
-                                   {"max_px", number(result.edges.max_px)}})},
-      {"pixel_vertical_px", distribution_json(result.vertical)},
-      {"pixel_vertical_reverse_px", of_mesh(distribution_json(result.reverse_vertical))},
+      {"sample_m", of_heights(distribution_json(result.samples.metres))},
+      {"sample_px", of_heights(distribution_json(result.samples.pixels))},
+      {"sample_visible_px", of_heights(distribution_json(result.samples.visible_pixels))},
+      {"between_samples", of_heights({{"places", result.edges.places},
+                                      {"max_m", result.edges.max_m},
+                                      {"max_px", number(result.edges.max_px)}})},
+      {"pixel_vertical_px", result.of_heights ? distribution_json(result.vertical) : Json(nullptr)},
+      {"pixel_vertical_reverse_px", of_heights(distribution_json(result.reverse_vertical))},
       {"pixel_nearest_px", distribution_json(result.nearest.forward)},
       {"pixel_nearest_reverse_px", of_mesh(distribution_json(result.nearest.reverse))},
       {"depth_relative", distribution_json(result.depth)},
       {"normal_deg", of_mesh(distribution_json(result.normal_deg))}};
-  json["samples"] = of_mesh(
+  if (!result.of_heights) json["errors"].update(solid_errors_json(result.nearest));
+  json["samples"] = of_heights(
       {{"uncovered", result.samples.uncovered}, {"drawn_over_void", result.samples.over_void}});
   json["coverage"] = coverage_json(result.coverage);
   if (!result.of_mesh) json["coverage"]["set_aside"] = result.pixels_set_aside;
   json["topology"] = of_mesh(topology_json(result.topology));
+  if (result.topology.self_intersections >= 0)
+    json["topology"]["self_intersections"] = result.topology.self_intersections;
+  if (!result.of_heights) json["topology"]["overlapped_samples"] = nullptr;
   json["registration"] = registration_json(result.registration);
   json["cost"] = cost_json(result.cost);
   json["offenders"] = Json::array();

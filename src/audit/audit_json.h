@@ -17,6 +17,9 @@ namespace plumb::audit {
 ///             `holds` are null; `worst` is where it comes nearest to its bound or is farthest over
 /// offenders   places, what broke first: `breaks` is the broken claim's measure, null where none is
 ///             broken there; `pixel` is null out of view, `triangle` where no mesh has one
+/// errors      null where it is not measured: of a surface without a mesh, and of a truth that is
+/// no
+///             heightfield, which has pixel_nearest_m, vertex_m and their reverses instead
 /// topology    all counts; `offenders` has the first places of each kind
 std::string audit_json(const AuditResult& result, const AuditSubject& subject);
 

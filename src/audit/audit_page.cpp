@@ -77,14 +77,23 @@ report::Table errors_table(const AuditResult& result) {
   const auto add_of_mesh = [&](const char* name, const Distribution& d) {
     if (result.of_mesh) add(name, d);
   };
-  add_of_mesh("samples, metres", result.samples.metres);
-  add_of_mesh("samples in view, pixels", result.samples.pixels);
-  add_of_mesh("samples visible, pixels", result.samples.visible_pixels);
-  add("pixels, vertical, pixels", result.vertical);
-  add_of_mesh("the same from the truth", result.reverse_vertical);
+  if (result.of_heights) {
+    add_of_mesh("samples, metres", result.samples.metres);
+    add_of_mesh("samples in view, pixels", result.samples.pixels);
+    add_of_mesh("samples visible, pixels", result.samples.visible_pixels);
+    add("pixels, vertical, pixels", result.vertical);
+    add_of_mesh("the same from the truth", result.reverse_vertical);
+  }
   if (!result.nearest.forward_px.empty()) {
     add("pixels, nearest point, pixels", result.nearest.forward);
     add_of_mesh("the same from the truth", result.nearest.reverse);
+  }
+  if (!result.nearest.forward_m.empty()) {
+    add("pixels, nearest point, metres", result.nearest.forward_metres);
+    add("the same from the truth", result.nearest.reverse_metres);
+    add("vertices, in view or not, nearest point, metres",
+        result.nearest.forward_vertices.distribution);
+    add("the same from the truth", result.nearest.reverse_vertices.distribution);
   }
   add("depth, relative", result.depth);
   add_of_mesh("normals, degrees", result.normal_deg);
@@ -111,15 +120,21 @@ std::vector<report::KeyValue> shape_entries(const AuditResult& result) {
                        std::to_string(result.pixels_set_aside)});
     return entries;
   }
+  if (result.of_heights) {
+    entries.push_back({"samples with nothing drawn over them", std::to_string(s.uncovered)});
+    entries.push_back({"void samples drawn over", std::to_string(s.over_void)});
+    entries.push_back({"samples under more than one triangle", std::to_string(s.overlapped)});
+  } else {
+    entries.push_back({"not told", "samples and vertical distances: the truth is no heightfield"});
+    entries.push_back(
+        {"pairs of triangles that pass through each other", std::to_string(t.self_intersections)});
+  }
   const std::vector<report::KeyValue> of_mesh{
-      {"samples with nothing drawn over them", std::to_string(s.uncovered)},
-      {"void samples drawn over", std::to_string(s.over_void)},
       {"open edges, T-junctions", fmt::format("{}, {}", t.open_edges, t.t_junctions)},
       {"non-manifold edges, vertices",
        fmt::format("{}, {}", t.non_manifold_edges, t.non_manifold_vertices)},
       {"degenerate, folded triangles",
        fmt::format("{}, {}", t.degenerate_triangles, t.folded_triangles)},
-      {"samples under more than one triangle", std::to_string(s.overlapped)},
       {"largest jump of levels between neighbours", std::to_string(t.largest_lod_jump)}};
   entries.insert(entries.end(), of_mesh.begin(), of_mesh.end());
   return entries;
@@ -144,7 +159,9 @@ std::vector<report::KeyValue> subject_entries(const AuditResult& result,
       {"terrain",
        fmt::format("{} ({} x {} samples, {:.6g} x {:.6g} m apart)", field.provenance.source,
                    field.columns(), field.rows(), field.dx_m, field.dy_m)},
-      {"truth", fmt::format("full-detail triangles, diagonals {}", name_of(subject.truth))},
+      {"truth", result.of_heights
+                    ? fmt::format("full-detail triangles, diagonals {}", name_of(subject.truth))
+                    : "the stacks' finest level as a mesh"},
       {"method", subject.variant.empty() ? subject.method
                                          : fmt::format("{}, {}", subject.method, subject.variant)},
       {"tolerance", to_text(subject.tolerance)},
@@ -223,7 +240,7 @@ std::string drawn_text(const Cost& cost) {
 
 std::vector<std::string> write_report(const fs::path& folder, const AuditResult& result,
                                       const AuditSubject& subject, const DrawnSurface& surface,
-                                      const HeightfieldTruth& truth) {
+                                      const TruthTerms& truth) {
   make_folder(folder);
   const std::vector<Shown> pictures = gallery(result, subject, surface, truth);
   const report::Viewer viewer = write_gallery(folder, pictures, result);

@@ -7,6 +7,7 @@
 
 #include "audit/audit.h"
 #include "audit/audit_subject.h"
+#include "audit/truth_terms.h"
 #include "core/drawn_surface.h"
 
 namespace plumb::audit {
@@ -15,8 +16,10 @@ namespace plumb::audit {
 ///   report.html       the page, self-contained
 ///   audit.json        audit_json(result, subject)
 ///   truth.png, drawn.png, difference.png
-///   pixel-error.png   heat map with its legend, in pixels; the claimed bound is the scale's end
+///   pixel-error.png   heat map with its legend, in pixels; the claimed bound is the scale's end;
+///                     of heightfields alone
 ///   nearest-error.png the same for the nearest point, if measured
+///   reverse-error.png from the truth to the nearest point drawn, of other truths alone
 ///   coverage.png      demands in grey, defects in colour
 ///   triangles.png     each triangle outlined, coloured by level
 ///   summary.png       truth, drawn and pixel error side by side
@@ -24,7 +27,7 @@ namespace plumb::audit {
 /// then still there.
 std::vector<std::string> write_report(const std::filesystem::path& folder,
                                       const AuditResult& result, const AuditSubject& subject,
-                                      const DrawnSurface& surface, const HeightfieldTruth& truth);
+                                      const DrawnSurface& surface, const TruthTerms& truth);
 
 /// "812 triangles, 40 slices, 446 vertices, 3000 fragments".
 std::string drawn_text(const Cost& cost);

@@ -13,15 +13,15 @@ namespace plumb::audit {
 namespace {
 
 image::Rgb8Image shaded(const HitImage& hits, const std::vector<glm::dvec3>& normals,
-                        const HeightfieldTruth& truth, const Camera& camera, bool two_sided = true,
+                        const TruthTerms& truth, const Camera& camera, bool two_sided = true,
                         std::span<const glm::vec3> albedo = {}) {
   raster::ShadeOptions options;
   options.albedo = albedo;
   options.two_sided = two_sided;
-  const reference::HeightRange range = truth.caster.pyramid().root();
+  const Box range = bounds(truth.field());
   if (!range.empty()) {
-    options.low_m = range.low;
-    options.high_m = range.high;
+    options.low_m = range.low.z;
+    options.high_m = range.high.z;
   }
   return image::to_srgb8(raster::shade(hits, camera, normals, options));
 }
@@ -49,9 +49,15 @@ void paint(image::Rgb8Image& picture, int x, int y, report::Rgb colour) {
   picture.rgb[at + 2] = colour.b;
 }
 
-image::Rgb8Image truth_picture(const AuditResult& result, const HeightfieldTruth& truth,
+image::Rgb8Image truth_picture(const AuditResult& result, const TruthTerms& terms,
                                const Camera& camera) {
   const HitImage& hits = result.true_hits;
+  if (terms.mesh() != nullptr) {
+    const DrawnSurface& surface = terms.mesh()->surface();
+    return shaded(hits, raster::flat_normals(*surface.mesh, hits), terms, camera, true,
+                  vertex_albedo(surface, hits, camera));
+  }
+  const HeightfieldTruth& truth = *terms.heights();
   std::vector<glm::dvec3> normals(hits.size(), glm::dvec3(0.0));
   parallel_for(static_cast<std::int64_t>(hits.size()), 4096, [&](std::int64_t k) {
     const auto pixel = static_cast<std::size_t>(k);
@@ -59,14 +65,16 @@ image::Rgb8Image truth_picture(const AuditResult& result, const HeightfieldTruth
       normals[pixel] =
           reference::triangle_normal(truth.field(), truth.diagonal(), hits.primitive[pixel]);
   });
-  return shaded(hits, normals, truth, camera);
+  return shaded(hits, normals, terms, camera);
 }
 
-image::Rgb8Image drawn_picture(const AuditResult& result, const HeightfieldTruth& truth,
+image::Rgb8Image drawn_picture(const AuditResult& result, const TruthTerms& truth,
                                const DrawnSurface& surface, const Camera& camera) {
+  const terrain::Diagonal diagonal =
+      truth.heights() != nullptr ? truth.heights()->diagonal() : terrain::Diagonal::Alternating;
   return shaded(result.drawn,
-                shading_normals(surface, result.drawn, camera, truth.field(), truth.diagonal()),
-                truth, camera, result.of_mesh, vertex_albedo(surface, result.drawn, camera));
+                shading_normals(surface, result.drawn, camera, truth.field(), diagonal), truth,
+                camera, result.of_mesh, vertex_albedo(surface, result.drawn, camera));
 }
 
 image::Rgb8Image difference_picture(const image::Rgb8Image& a, const image::Rgb8Image& b) {

@@ -5,15 +5,17 @@
 #include <vector>
 
 #include "audit/audit.h"
+#include "audit/truth_terms.h"
 #include "image/colour_image.h"
 #include "report/heat_map.h"
 
 namespace plumb::audit {
 
-/// The truth and the drawn picture in the same light, with the same height colours.
-image::Rgb8Image truth_picture(const AuditResult& result, const HeightfieldTruth& truth,
+/// The truth and the drawn picture in the same light, with the same height colours, or those of
+/// their materials.
+image::Rgb8Image truth_picture(const AuditResult& result, const TruthTerms& truth,
                                const Camera& camera);
-image::Rgb8Image drawn_picture(const AuditResult& result, const HeightfieldTruth& truth,
+image::Rgb8Image drawn_picture(const AuditResult& result, const TruthTerms& truth,
                                const DrawnSurface& surface, const Camera& camera);
 
 /// |a - b| of each channel, four times as strong, on black.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "audit/audit.h"
+#include "audit/truth_terms.h"
 
 namespace plumb::audit {
 
@@ -13,7 +14,7 @@ namespace plumb::audit {
 ///
 /// A measurement breaks a bound if it exceeds it by more than rounding explains: the truth's slack
 /// in metres, on screen times the most pixels that a metre spans there.
-void check_claims(AuditResult& result, const HeightfieldTruth& truth, const DrawnSurface& surface,
+void check_claims(AuditResult& result, const TruthTerms& truth, const DrawnSurface& surface,
                   const Camera& camera, const AuditOptions& options);
 
 /// Measures that a limit may name, with what they mean.

@@ -8,6 +8,7 @@
 #include "audit/drawn_point.h"
 #include "audit/mesh_edges.h"
 #include "audit/over_bound.h"
+#include "audit/settled_claim.h"
 #include "core/check.h"
 #include "core/parallel.h"
 
@@ -24,16 +25,6 @@ std::vector<float> magnitudes(const std::vector<float>& values) {
   return result;
 }
 
-bool is_over(const ClaimResult& r) { return r.measured > r.claim.bound + r.slack; }
-
-void sort_worst_first(std::vector<Offender>& places, std::size_t most) {
-  std::stable_sort(places.begin(), places.end(),
-                   [](const Offender& a, const Offender& b) { return a.value > b.value; });
-  places.resize(std::min(places.size(), most));
-}
-
-void settle(ClaimResult& r) { r.holds = r.is_measured && !is_over(r); }
-
 std::int64_t flaws_of(const Topology& t) {
   return t.open_edges + t.non_manifold_edges + t.non_manifold_vertices + t.degenerate_triangles +
          t.folded_triangles;
@@ -41,7 +32,7 @@ std::int64_t flaws_of(const Topology& t) {
 
 }  // namespace
 
-ClaimMeasures::ClaimMeasures(const AuditResult& result, const HeightfieldTruth& truth,
+ClaimMeasures::ClaimMeasures(const AuditResult& result, const TruthTerms& truth,
                              const DrawnSurface& surface, const Camera& camera,
                              const AuditOptions& options)
     : result_(result),
@@ -65,14 +56,24 @@ ClaimMeasures::ClaimMeasures(const AuditResult& result, const HeightfieldTruth& 
 }
 
 double ClaimMeasures::slack_px(double pixels_per_metre, double measured) const {
-  return (truth_.slack_m + eye_slack_m_) * pixels_per_metre +
+  return (truth_.slack_m() + eye_slack_m_) * pixels_per_metre +
          kProjectionSlack * (std::isfinite(measured) ? measured : 0.0);
+}
+
+// Above and below a terrain of stacks there may be several surfaces.
+void ClaimMeasures::require_heights(const std::string& label) const {
+  if (result_.of_heights) return;
+  input_error("{}: of a terrain of stacks it is not measured; nearest-error is, in px and in m",
+              label);
 }
 
 ClaimResult ClaimMeasures::of_claim(const Claim& claim, std::string label) const {
   if (!result_.of_mesh && claim.measure != Measure::PixelError &&
       claim.measure != Measure::Coverage)
     input_error("{}: only of a mesh could it be measured, and here is none", label);
+  if (claim.measure == Measure::SampleError || claim.measure == Measure::SurfaceError ||
+      claim.measure == Measure::PixelError)
+    require_heights(label);
   ClaimResult r;
   r.claim = claim;
   r.label = std::move(label);
@@ -90,7 +91,7 @@ ClaimResult ClaimMeasures::of_claim(const Claim& claim, std::string label) const
       coverage(r);
       break;
     case Measure::NearestError:
-      of_limit_alone(r);
+      nearest_error(r);
       break;
   }
   return r;
@@ -102,7 +103,7 @@ void ClaimMeasures::measure_samples(ClaimResult& r) const {
   const WorstSample& worst = metres ? s.worst_m : s.worst_px;
   r.is_measured = (metres ? s.metres : s.pixels).count > 0;
   r.measured = worst.error;
-  r.slack = metres ? truth_.slack_m : slack_px(s.pixels_per_metre, r.measured);
+  r.slack = metres ? truth_.slack_m() : slack_px(s.pixels_per_metre, r.measured);
   r.worst = finder_.at_sample(r.label, worst, r.claim.unit);
   if (metres) r.triangles_over = 0;
 }
@@ -148,7 +149,7 @@ void ClaimMeasures::surface_error(ClaimResult& r) const {
 
 EdgePlacesOver ClaimMeasures::places_over(const Tolerance& bound, std::size_t most) const {
   const TriangleMesh& mesh = *surface_.mesh;
-  return edge_places_over(truth_, mesh, MeshEdges(mesh), camera_, bound, most);
+  return edge_places_over(*truth_.heights(), mesh, MeshEdges(mesh), camera_, bound, most);
 }
 
 // Places between the samples are kept by none: they are gone through again.
@@ -188,7 +189,7 @@ void ClaimMeasures::pixel_error_m(ClaimResult& r) const {
     r.worst = farthest.front();
     r.measured = farthest.front().value;
   }
-  r.slack = truth_.slack_m;
+  r.slack = truth_.slack_m();
   if (std::isfinite(r.measured)) r.slack += r.measured * std::numeric_limits<float>::epsilon();
   settle(r);
   if (!r.is_broken()) return;
@@ -255,39 +256,19 @@ void ClaimMeasures::of_limit_alone(ClaimResult& r) const {
     r.is_measured = result_.topology.triangles > 0;
     count_defects(r, flaws_of(result_.topology), finder_.topology_flaws());
   } else if (r.label == "uncovered-samples") {
+    require_heights(r.label);
     const SampleErrors& s = result_.samples;
     r.is_measured = s.metres.count + s.uncovered > 0;
     count_defects(r, s.uncovered, finder_.sample_flaws(SampleFlaw::Kind::Uncovered));
   } else if (r.label == "reverse-pixel-error") {
-    both_ways(r, {}, result_.reverse_pixels.vertical_px);
+    require_heights(r.label);
+    r.is_measured = false;
+    both_ways(r, {}, result_.reverse_pixels.vertical_px, {});
   } else {
     if (!has_nearest_)
       input_error("limit nearest-error: the distances to nearest points are left out");
-    both_ways(r, result_.nearest.forward_px, result_.nearest.reverse_px);
+    nearest_error(r);
   }
-}
-
-// Errors of the pixels drawn and of the truth's, as their maps have them.
-void ClaimMeasures::both_ways(ClaimResult& r, std::span<const float> forward,
-                              std::span<const float> reverse) const {
-  r.is_measured = false;
-  for (const std::span<const float> errors : {forward, reverse}) {
-    for (const float error : errors) {
-      r.is_measured = r.is_measured || !std::isnan(error);
-      if (error > r.measured) r.measured = error;
-    }
-  }
-  settle(r);
-  std::vector<Offender> places = finder_.pixels(r.label, forward, r.claim.unit, most_);
-  for (Offender& place : finder_.pixels(r.label, reverse, r.claim.unit, most_, true))
-    places.push_back(std::move(place));
-  sort_worst_first(places, most_);
-  if (!places.empty()) r.worst = places.front();
-  if (!r.is_broken()) return;
-  r.violations =
-      count_above_exactly(forward, r.claim.bound) + count_above_exactly(reverse, r.claim.bound);
-  places.resize(std::min(places.size(), static_cast<std::size_t>(r.violations)));
-  r.places = std::move(places);
 }
 
 }  // namespace plumb::audit

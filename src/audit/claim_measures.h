@@ -16,10 +16,10 @@ namespace plumb::audit {
 class ClaimMeasures {
  public:
   /// Keeps references to all of them; the measures in `result` are there already.
-  ClaimMeasures(const AuditResult& result, const HeightfieldTruth& truth,
-                const DrawnSurface& surface, const Camera& camera, const AuditOptions& options);
+  ClaimMeasures(const AuditResult& result, const TruthTerms& truth, const DrawnSurface& surface,
+                const Camera& camera, const AuditOptions& options);
 
-  /// Throws InputError if the surface has not what is measured.
+  /// Throws InputError if the surface, or the truth, has not what is measured.
   ClaimResult of_claim(const Claim& claim, std::string label) const;
   ClaimResult of_limit(const Limit& limit) const;
 
@@ -44,11 +44,18 @@ class ClaimMeasures {
   void pixel_error_m(ClaimResult& r) const;
   void coverage(ClaimResult& r) const;
   void of_limit_alone(ClaimResult& r) const;
-  void both_ways(ClaimResult& r, std::span<const float> forward,
-                 std::span<const float> reverse) const;
+  void nearest_error(ClaimResult& r) const;
+  void add_vertices(ClaimResult& r) const;
+  /// What rounding may add to a map's errors: so much, and a part of each.
+  struct MapSlack {
+    double fixed = 0.0, relative = 0.0;
+  };
+  void both_ways(ClaimResult& r, std::span<const float> forward, std::span<const float> reverse,
+                 const MapSlack& slack) const;
+  void require_heights(const std::string& label) const;
 
   const AuditResult& result_;
-  const HeightfieldTruth& truth_;
+  TruthTerms truth_;
   const DrawnSurface& surface_;
   const Camera& camera_;
   bool has_nearest_;

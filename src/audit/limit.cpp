@@ -18,7 +18,9 @@ const std::vector<LimitMeasure>& limit_measures() {
       {"reverse-pixel-error", Unit::Pixel,
        "from the truth's hit to the drawn surface above or below it"},
       {"nearest-error", Unit::Pixel,
-       "distance to the nearest point of the other surface, projected, both ways"},
+       "distance to the nearest point of the other surface, projected, both ways (of stacks also "
+       "in "
+       "m)"},
       {"coverage", Unit::Count, "holes, overshoots and see-through pixels"},
       {"topology", Unit::Count,
        "open and non-manifold edges, non-manifold vertices, degenerate and folded triangles"},

@@ -72,12 +72,27 @@ std::unique_ptr<PreparedMethod> prepare_method(const Method& method,
     input_error("method {} promises nothing in '{}': give a tolerance in {}", method.name,
                 name_of(tolerance.unit), joined(units, [](Unit unit) { return name_of(unit); }));
   }
+  require_drawable(method, field);
+  return method.prepare(field, settled);
+}
+
+void require_drawable(const Method& method, const terrain::Heightfield& field) {
   if (field.stacks != nullptr && !method.takes_stacks)
     input_error(
         "method {} draws heights, and {} is a terrain of stacks: method stacks draws it, or "
         "--surface top asks for its top surface",
         method.name, field.provenance.source);
-  return method.prepare(field, settled);
+}
+
+DrawnSurface full_detail_of_stacks(const MethodTable& table, const terrain::Heightfield& field,
+                                   const Method* method, const MethodChoice& choice) {
+  require(field.stacks != nullptr, "only a terrain of stacks has a full-detail mesh of stacks");
+  if (method != nullptr && method->full_detail)
+    return method->full_detail(field, resolved_choice(*method, choice));
+  const auto found = std::find_if(table.begin(), table.end(),
+                                  [](const Method& row) { return row.full_detail != nullptr; });
+  require(found != table.end(), "no method of the table draws stacks");
+  return found->full_detail(field, resolved_choice(*found, {}));
 }
 
 }  // namespace plumb::audit

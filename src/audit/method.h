@@ -50,6 +50,9 @@ struct Method {
   /// again where a file that it came from is gone.
   std::function<MethodChoice(MethodChoice)> resolve = {};
   bool takes_stacks = false;  // it draws terrains of stacks too, not heights alone
+  /// If set: the full-detail mesh of a terrain of stacks by the same parameters, whatever the
+  /// variant: the truth that its drawings are held against.
+  std::function<DrawnSurface(const terrain::Heightfield&, const MethodChoice&)> full_detail = {};
 };
 
 using MethodTable = std::vector<Method>;
@@ -87,5 +90,14 @@ std::unique_ptr<PreparedMethod> prepare_method(const Method& method,
                                                const terrain::Heightfield& field,
                                                const MethodChoice& choice,
                                                const Tolerance& tolerance);
+
+/// Throws InputError if the terrain is one of stacks and the method draws heights alone.
+void require_drawable(const Method& method, const terrain::Heightfield& field);
+
+/// The full-detail mesh of a terrain of stacks: by `method`'s parameters if it draws stacks, else
+/// (or if it is null) by the defaults of the table's first method that does. Throws InputError for
+/// parameters that the method does not have.
+DrawnSurface full_detail_of_stacks(const MethodTable& table, const terrain::Heightfield& field,
+                                   const Method* method = nullptr, const MethodChoice& choice = {});
 
 }  // namespace plumb::audit

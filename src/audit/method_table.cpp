@@ -306,6 +306,14 @@ Method stacks_row() {
             parameters),
         integer_parameter(choice, "budget", 0));
   };
+  method.full_detail = [](const terrain::Heightfield& field, const MethodChoice& choice) {
+    mesh::stacks::Parameters parameters = stacks_parameters(choice);
+    parameters.variant = mesh::stacks::Variant::Conservative;
+    DrawnSurface finest = mesh::stacks::finest(mesh::stacks::prepare(*field.stacks, parameters));
+    finest.patches.clear();  // one piece of one level
+    finest.triangle_lod.clear();
+    return finest;
+  };
   return method;
 }
 

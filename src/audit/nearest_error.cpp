@@ -8,6 +8,8 @@
 #include <optional>
 #include <span>
 
+#include "audit/apart_on_screen.h"
+#include "audit/pixel_tile.h"
 #include "core/parallel.h"
 #include "reference/heightfield_nearest.h"
 #include "reference/mesh_nearest.h"
@@ -17,38 +19,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
-
-// |proj(q) - proj(p)| in pixels, both in the camera's coordinates; +inf if one is not before the
-// eye.
-double apart_on_screen(const Camera& camera, const glm::dvec3& p, const glm::dvec3& q) {
-  const glm::dvec3 a = to_view(camera, p), b = to_view(camera, q);
-  if (!(a.z > 0.0) || !(b.z > 0.0)) return kInfinity;
-  const glm::dvec2 d = view_to_pixel(camera, a) - view_to_pixel(camera, b);
-  return std::sqrt(glm::dot(d, d));
-}
-
-// A few pixels side by side: what they show mostly lies close together.
-constexpr int kTileWidth = 8, kTileHeight = 2;
-constexpr std::size_t kTilePixels = kTileWidth * kTileHeight;
-struct Tile {
-  const HitImage& image;
-  int x0, y0;
-
-  template <class Visit>
-  void for_each(const Visit& visit) const {
-    for (int y = y0; y < std::min(y0 + kTileHeight, image.height_px); ++y) {
-      for (int x = x0; x < std::min(x0 + kTileWidth, image.width_px); ++x) visit(image.index(x, y));
-    }
-  }
-};
-
-template <class Visit>
-void for_each_tile(const HitImage& image, const Visit& visit) {
-  parallel_for((image.height_px + kTileHeight - 1) / kTileHeight, 1, [&](std::int64_t row) {
-    for (int x = 0; x < image.width_px; x += kTileWidth)
-      visit(Tile{image, x, static_cast<int>(row) * kTileHeight});
-  });
-}
 
 }  // namespace
 
@@ -92,11 +62,11 @@ std::vector<float> reverse_nearest_errors(const HeightfieldTruth& truth, const H
   std::optional<reference::MeshNearest> nearest;
   if (any && !mesh.triangles.empty()) nearest.emplace(mesh);
   const glm::dvec3 shift = mesh.origin_m - truth.field().world_origin_m();
-  const auto ask = [&](const Tile& tile) {
-    std::array<std::size_t, kTilePixels> asked;
-    std::array<glm::dvec3, kTilePixels> points;
-    std::array<reference::NearestQuery, kTilePixels> queries;
-    std::array<reference::NearestPoint, kTilePixels> found;
+  const auto ask = [&](const PixelTile& tile) {
+    std::array<std::size_t, PixelTile::kPixels> asked;
+    std::array<glm::dvec3, PixelTile::kPixels> points;
+    std::array<reference::NearestQuery, PixelTile::kPixels> queries;
+    std::array<reference::NearestPoint, PixelTile::kPixels> found;
     std::size_t count = 0;
     tile.for_each([&](std::size_t pixel) {
       if (true_hits.hit(pixel)) errors[pixel] = 0.0f;

@@ -12,6 +12,11 @@
 namespace plumb::audit {
 namespace {
 
+glm::dvec3 normal_of(const TriangleMesh& mesh, std::uint32_t triangle) {
+  const Triangle& t = mesh.triangles[triangle];
+  return area_normal(mesh.vertices_m[t[0]], mesh.vertices_m[t[1]], mesh.vertices_m[t[2]]);
+}
+
 // Sine and cosine of some pixels' angles, times one length.
 struct Angles {
   static constexpr std::size_t kMost = 256;
@@ -34,10 +39,10 @@ struct Angles {
   }
 };
 
-}  // namespace
-
-std::vector<float> normal_errors_deg(const HeightfieldTruth& truth, const HitImage& true_hits,
-                                     const TriangleMesh& mesh, const HitImage& drawn) {
+// expected(triangle of the truth) -> its normal; two_sided: the drawn side that is seen from above.
+template <class Expected>
+std::vector<float> normal_errors(const HitImage& true_hits, const TriangleMesh& mesh,
+                                 const HitImage& drawn, bool two_sided, const Expected& expected) {
   std::vector<float> errors(drawn.size(), std::numeric_limits<float>::quiet_NaN());
   const std::size_t runs = (drawn.size() + Angles::kMost - 1) / Angles::kMost;
   parallel_for(static_cast<std::int64_t>(runs), 16, [&](std::int64_t run) {
@@ -46,16 +51,29 @@ std::vector<float> normal_errors_deg(const HeightfieldTruth& truth, const HitIma
     for (std::size_t pixel = first; pixel < std::min(first + Angles::kMost, drawn.size());
          ++pixel) {
       if (!drawn.hit(pixel) || !true_hits.hit(pixel)) continue;
-      const glm::dvec3 expected =
-          reference::triangle_normal(truth.field(), truth.diagonal(), true_hits.primitive[pixel]);
-      const Triangle& t = mesh.triangles[drawn.primitive[pixel]];
-      const glm::dvec3 normal =
-          area_normal(mesh.vertices_m[t[0]], mesh.vertices_m[t[1]], mesh.vertices_m[t[2]]);
-      angles.add(pixel, expected, normal.z < 0.0 ? -normal : normal);  // a sheet has two sides
+      const glm::dvec3 normal = normal_of(mesh, drawn.primitive[pixel]);
+      angles.add(pixel, expected(true_hits.primitive[pixel]),
+                 two_sided && normal.z < 0.0 ? -normal : normal);
     }
     angles.give(errors);
   });
   return errors;
+}
+
+}  // namespace
+
+std::vector<float> normal_errors_deg(const HeightfieldTruth& truth, const HitImage& true_hits,
+                                     const TriangleMesh& mesh, const HitImage& drawn) {
+  // A sheet has two sides.
+  return normal_errors(true_hits, mesh, drawn, true, [&](std::uint32_t triangle) {
+    return reference::triangle_normal(truth.field(), truth.diagonal(), triangle);
+  });
+}
+
+std::vector<float> normal_errors_deg(const TriangleMesh& truth, const HitImage& true_hits,
+                                     const TriangleMesh& mesh, const HitImage& drawn) {
+  return normal_errors(true_hits, mesh, drawn, false,
+                       [&](std::uint32_t triangle) { return normal_of(truth, triangle); });
 }
 
 }  // namespace plumb::audit

@@ -92,8 +92,9 @@ Offender OffenderFinder::at_pixel(std::string what, double value, Unit unit,
 
 Offender OffenderFinder::at_true_pixel(std::string what, double value, Unit unit,
                                        std::size_t pixel) const {
-  return at_hit(std::move(what), value, unit, result_.true_hits,
-                result_.reverse_pixels.triangle[pixel], pixel);
+  const std::uint32_t drawn_triangle = result_.of_heights ? result_.reverse_pixels.triangle[pixel]
+                                                          : result_.nearest.reverse_triangle[pixel];
+  return at_hit(std::move(what), value, unit, result_.true_hits, drawn_triangle, pixel);
 }
 
 Offender OffenderFinder::at_defect(const CoverageDefect& defect) const {
@@ -184,7 +185,7 @@ std::vector<Offender> OffenderFinder::worst(const std::vector<ClaimResult>& clai
   }
   const auto is_told = [&](const char* label, Unit unit) { return told.count({label, unit}) > 0; };
   const auto add_sample = [&](const WorstSample& worst, Unit unit, double pixels_per_metre) {
-    if (worst.error > truth_.slack_m * pixels_per_metre && !is_told("sample-error", unit))
+    if (worst.error > truth_.slack_m() * pixels_per_metre && !is_told("sample-error", unit))
       add({*at_sample("sample-error", worst, unit)});
   };
   if (!is_told("coverage", Unit::Count)) add(defects(most));
@@ -192,7 +193,11 @@ std::vector<Offender> OffenderFinder::worst(const std::vector<ClaimResult>& clai
   add_sample(result_.samples.worst_m, Unit::Metre, 1.0);
   if (!is_told("pixel-error", Unit::Pixel))
     add(pixels("pixel-error", result_.pixels.vertical_px, Unit::Pixel, most, false,
-               truth_.slack_m * result_.pixels.pixels_per_metre));
+               truth_.slack_m() * result_.pixels.pixels_per_metre));
+  if (!result_.of_heights && !is_told("nearest-error", Unit::Pixel)) {
+    add(pixels("nearest-error", result_.nearest.forward_px, Unit::Pixel, most));
+    add(pixels("nearest-error", result_.nearest.reverse_px, Unit::Pixel, most, true));
+  }
   if (!is_told("topology", Unit::Count)) add(topology_flaws());
   if (!is_told("uncovered-samples", Unit::Count)) add(sample_flaws(SampleFlaw::Kind::Uncovered));
   add(sample_flaws(SampleFlaw::Kind::OverVoid));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "audit/audit.h"
+#include "audit/truth_terms.h"
 
 namespace plumb::audit {
 
@@ -14,8 +15,8 @@ namespace plumb::audit {
 class OffenderFinder {
  public:
   /// Keeps references to all of them.
-  OffenderFinder(const AuditResult& result, const HeightfieldTruth& truth,
-                 const DrawnSurface& surface, const Camera& camera)
+  OffenderFinder(const AuditResult& result, const TruthTerms& truth, const DrawnSurface& surface,
+                 const Camera& camera)
       : result_(result), truth_(truth), surface_(surface), camera_(camera) {}
 
   /// Nothing if there is no worst sample.
@@ -52,7 +53,7 @@ class OffenderFinder {
   double height_over(const SampleFlaw& flaw) const;
 
   const AuditResult& result_;
-  const HeightfieldTruth& truth_;
+  TruthTerms truth_;
   const DrawnSurface& surface_;
   const Camera& camera_;
 };

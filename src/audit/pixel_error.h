@@ -44,5 +44,8 @@ std::vector<float> depth_errors(const HitImage& true_hits, const HitImage& drawn
 /// Angle in degrees between the normals of the triangles that both see; NaN where one sees nothing.
 std::vector<float> normal_errors_deg(const HeightfieldTruth& truth, const HitImage& true_hits,
                                      const TriangleMesh& mesh, const HitImage& drawn);
+/// The same of a truth that is a mesh, where outside and inside are told apart: 0 to 180.
+std::vector<float> normal_errors_deg(const TriangleMesh& truth, const HitImage& true_hits,
+                                     const TriangleMesh& mesh, const HitImage& drawn);
 
 }  // namespace plumb::audit

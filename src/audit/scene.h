@@ -15,7 +15,7 @@ namespace plumb::audit {
 /// Who draws a scene.
 enum class Painter {
   Method,  // a method's surface, through the rasteriser
-  Truth,   // the pyramid caster's rays, through the full-detail surface
+  Truth,   // rays against the full-detail surface
 };
 
 struct Scene {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "audit/frame_memory.h"
+#include "audit/mesh_truth.h"
 #include "audit/picture.h"
 #include "audit/surface_picture.h"
 #include "core/stopwatch.h"
@@ -42,17 +43,19 @@ terrain::Diagonal diagonal_of(const Scene& scene, const Method* method) {
 
 }  // namespace
 
-// One of the two.
+// One of the three.
 struct SceneDrawer::Painter {
   std::unique_ptr<const PreparedMethod> method;
   std::unique_ptr<MethodRun> run;  // of that method
   std::unique_ptr<const reference::PyramidCaster> caster;
+  std::unique_ptr<const MeshTruth> solid;  // the truth of a terrain of stacks
 };
 
 SceneDrawer::SceneDrawer(terrain::Heightfield field, Scene scene, const MethodTable& table,
                          std::string program_version)
     : field_(std::make_shared<const terrain::Heightfield>(std::move(field))),
       scene_(std::move(scene)),
+      table_(table),
       method_(method_of(scene_, table)),
       diagonal_(diagonal_of(scene_, method_)),
       program_version_(std::move(program_version)) {
@@ -69,7 +72,10 @@ SceneDrawer::~SceneDrawer() = default;
 void SceneDrawer::prepare() {
   Stopwatch watch;
   auto painter = std::make_unique<Painter>();
-  if (scene_.painter == audit::Painter::Truth) {
+  if (scene_.painter == audit::Painter::Truth && field_->stacks != nullptr) {
+    painter->solid = std::make_unique<const MeshTruth>(
+        *field_, full_detail_of_stacks(table_, *field_, method_, scene_.choice));
+  } else if (scene_.painter == audit::Painter::Truth) {
     painter->caster = std::make_unique<const reference::PyramidCaster>(*field_, diagonal_);
   } else {
     painter->method = prepare_method(*method_, *field_, scene_.choice, scene_.tolerance);
@@ -97,7 +103,8 @@ DrawnScene SceneDrawer::draw(const CameraDescription& camera, const StepListener
   Stopwatch watch;
   Layers layers;
   if (by_rays) {
-    drawn.hits = painter_->caster->cast_frame(drawn.camera);
+    drawn.hits = painter_->solid ? painter_->solid->caster().cast_frame(drawn.camera)
+                                 : painter_->caster->cast_frame(drawn.camera);
   } else {
     drawn.surface = painter_->run->step(drawn.camera, scene_.tolerance);
     SurfacePicture picture = picture_of(drawn.surface, drawn.camera);
@@ -111,8 +118,11 @@ DrawnScene SceneDrawer::draw(const CameraDescription& camera, const StepListener
   PictureMaker maker = maker_of(drawn.scene, diagonal_, program_version_);
   maker.drape = drape_.get();
   if (!layers.empty()) maker.layers = &layers;
-  drawn.picture = by_rays ? draw_truth_picture(*field_, drawn.hits, drawn.camera, maker)
-                          : draw_picture(*field_, drawn.hits, drawn.surface, drawn.camera, maker);
+  drawn.picture = by_rays && !painter_->solid
+                      ? draw_truth_picture(*field_, drawn.hits, drawn.camera, maker)
+                      : draw_picture(*field_, drawn.hits,
+                                     painter_->solid ? painter_->solid->surface() : drawn.surface,
+                                     drawn.camera, maker);
   drawn.times.picture_s = watch.lap_s();
   return drawn;
 }

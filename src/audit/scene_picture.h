@@ -25,7 +25,8 @@ struct DrawnScene {
   Camera camera;
   DrawnSurface surface;  // without a mesh where the truth was drawn; cost.fragments is filled in
   HitImage hits;
-  image::AovImage picture;  // draw_picture or draw_truth_picture; its header holds `scene`
+  image::AovImage picture;  // draw_picture or draw_truth_picture; its header holds `scene`.
+                            // The truth of a terrain of stacks is drawn as a mesh is
   SceneTimes times;         // prepare_s is that of the drawer, the same for all its pictures
 };
 
@@ -57,6 +58,7 @@ class SceneDrawer {
 
   std::shared_ptr<const terrain::Heightfield> field_;
   Scene scene_;
+  const MethodTable& table_;
   const Method* method_;  // null where rays draw without one
   terrain::Diagonal diagonal_;
   std::string program_version_;

@@ -1,17 +1,10 @@
 #include "audit/topology.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
-#include <span>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 #include "audit/flat_triangle.h"
-#include "audit/mesh_edges.h"
-#include "core/parallel.h"
+#include "audit/mesh_examination.h"
 
 namespace plumb::audit {
 namespace {
@@ -19,133 +12,29 @@ namespace {
 constexpr double kBeside =
     1e-6;  // cells: how far from an edge to look for the surface on either side of it
 
-struct OpenEdge {
-  std::uint32_t low, high, triangle;
-};
-
-class Examination {
+// A sheet over the terrain, seen from above.
+class TerrainRules final : public SheetRules {
  public:
-  Examination(const HeightfieldTruth& truth, const DrawnSurface& surface, const MeshEdges& edges,
-              int most_listed)
-      : truth_(truth),
-        surface_(surface),
-        mesh_(*surface.mesh),
-        shift_(mesh_.origin_m - truth.field().world_origin_m()),
-        edges_(edges),
-        most_listed_(most_listed) {}
+  explicit TerrainRules(const HeightfieldTruth& truth) : truth_(truth) {}
 
-  Topology run() {
-    result_.triangles = static_cast<std::int64_t>(mesh_.triangles.size());
-    result_.vertices = static_cast<std::int64_t>(mesh_.vertices_m.size());
-    examine_triangles();
-    examine_edges();
-    examine_vertices();
-    find_t_junctions();
-    return std::move(result_);
+  glm::dvec3 origin_m() const override { return truth_.field().world_origin_m(); }
+  double beside_m() const override {
+    return kBeside * std::min(truth_.field().dx_m, truth_.field().dy_m);
   }
-
- private:
-  glm::dvec3 position(std::uint32_t vertex) const { return mesh_.vertices_m[vertex] + shift_; }
-
-  void list(const char* kind, const glm::dvec3& at, std::uint32_t triangle) {
-    if (++listed_[kind] > most_listed_) return;
-    result_.listed.push_back(
-        {kind, at, triangle, triangle == kNoPrimitive ? -1 : patch_of(surface_, triangle)});
+  glm::dvec3 place(const glm::dvec3& point_m) const override { return {point_m.x, point_m.y, 0.0}; }
+  bool is_folded(const glm::dvec3& normal, const glm::dvec3& a, const glm::dvec3& b,
+                 const glm::dvec3& c) const override {
+    return normal.z < 0.0 && FlatTriangle(a, b, c).is_flat();
   }
-
-  enum class Shape : char { Sound, Degenerate, Folded };
-
-  Shape shape_of(std::uint32_t t) const {
-    const Triangle& corners = mesh_.triangles[t];
-    const glm::dvec3 a = position(corners[0]), b = position(corners[1]), c = position(corners[2]);
-    const glm::dvec3 normal = area_normal(a, b, c);
-    if (normal == glm::dvec3(0.0)) return Shape::Degenerate;
-    return normal.z < 0.0 && FlatTriangle(a, b, c).is_flat() ? Shape::Folded : Shape::Sound;
-  }
-
-  void examine_triangles() {
-    std::vector<Shape> shapes(mesh_.triangles.size());
-    parallel_for(static_cast<std::int64_t>(shapes.size()), 1 << 14, [&](std::int64_t t) {
-      shapes[static_cast<std::size_t>(t)] = shape_of(static_cast<std::uint32_t>(t));
-    });
-    for (std::uint32_t t = 0; t < shapes.size(); ++t) {
-      if (shapes[t] == Shape::Sound) continue;
-      const Triangle& corners = mesh_.triangles[t];
-      if (shapes[t] == Shape::Degenerate) {
-        ++result_.degenerate_triangles;
-        list("degenerate", position(corners[0]), t);
-      } else {
-        ++result_.folded_triangles;
-        list("folded", (position(corners[0]) + position(corners[1]) + position(corners[2])) / 3.0,
-             t);
-      }
-    }
-  }
-
-  // What the edges from a run of vertices are like, in their order.
-  struct EdgeRun {
-    std::int64_t boundary = 0;
-    int lod_jump = 0;
-    std::vector<OpenEdge> open, non_manifold;
-  };
-
-  static EdgeRun joined(EdgeRun a, const EdgeRun& b) {
-    a.boundary += b.boundary;
-    a.lod_jump = std::max(a.lod_jump, b.lod_jump);
-    a.open.insert(a.open.end(), b.open.begin(), b.open.end());
-    a.non_manifold.insert(a.non_manifold.end(), b.non_manifold.begin(), b.non_manifold.end());
-    return a;
-  }
-
-  void examine_edges() {
-    const EdgeRun all = parallel_ordered_reduce(
-        edges_.vertices(), 1 << 14, EdgeRun{},
-        [&](std::int64_t begin, std::int64_t end, EdgeRun run) {
-          for (std::int64_t low = begin; low < end; ++low)
-            examine_edges_of(static_cast<std::uint32_t>(low), run);
-          return run;
-        },
-        joined);
-    result_.boundary_edges = all.boundary;
-    result_.largest_lod_jump = all.lod_jump;
-    result_.open_edges = static_cast<std::int64_t>(all.open.size());
-    result_.non_manifold_edges = static_cast<std::int64_t>(all.non_manifold.size());
-    const auto list_all = [&](const char* kind, const std::vector<OpenEdge>& edges) {
-      for (const OpenEdge& edge : edges)
-        list(kind, 0.5 * (position(edge.low) + position(edge.high)), edge.triangle);
-    };
-    list_all("open edge", all.open);
-    list_all("non-manifold edge", all.non_manifold);
-    open_ = all.open;
-  }
-
-  void examine_edges_of(std::uint32_t low, EdgeRun& run) const {
-    const auto sides = edges_.from(low);
-    for (std::size_t k = 0; k < sides.size();) {
-      std::size_t end = k + 1;
-      while (end < sides.size() && sides[end].high == sides[k].high) ++end;
-      const std::size_t count = end - k;
-      const OpenEdge edge{low, sides[k].high, sides[k].triangle};
-      if (count == 1) {
-        ++run.boundary;
-        if (is_open(low, edge.high)) run.open.push_back(edge);
-      } else if (count > 2 || sides[k].rising == sides[k + 1].rising) {
-        run.non_manifold.push_back(edge);
-      } else if (!surface_.triangle_lod.empty()) {
-        const int jump =
-            surface_.triangle_lod[sides[k].triangle] - surface_.triangle_lod[sides[k + 1].triangle];
-        run.lod_jump = std::max(run.lod_jump, std::abs(jump));
-      }
-      k = end;
-    }
-  }
+  bool folds_at_edges() const override { return false; }
+  bool is_folded_at_edge(const glm::dvec3&, const glm::dvec3&) const override { return false; }
 
   // The surface goes on on both sides of the edge, at its middle or at a quarter of it.
-  bool is_open(std::uint32_t p, std::uint32_t q) const {
-    const glm::dvec3 a = position(p), d = position(q) - a;
+  bool is_open(const glm::dvec3& a, const glm::dvec3& b) const override {
+    const glm::dvec3 d = b - a;
     const double length = std::sqrt(d.x * d.x + d.y * d.y);
     if (!(length > 0.0)) return false;
-    const double step = kBeside * std::min(truth_.field().dx_m, truth_.field().dy_m);
+    const double step = beside_m();
     const glm::dvec2 beside{-d.y / length * step, d.x / length * step};
     for (const double share : {0.5, 0.25, 0.75}) {
       const double x = a.x + share * d.x, y = a.y + share * d.y;
@@ -155,70 +44,8 @@ class Examination {
     return false;
   }
 
-  bool inside_terrain(double x, double y) const {
-    return reference::exists_at(truth_.field(), truth_.diagonal(), x, y);
-  }
-
-  // A vertex is manifold if its triangles, joined where they share an edge at it, are one fan.
-  void examine_vertices() {
-    std::vector<std::uint32_t> start(mesh_.vertices_m.size() + 1, 0);
-    for (const Triangle& t : mesh_.triangles) {
-      for (const std::uint32_t v : t) ++start[v + 1];
-    }
-    for (std::size_t v = 1; v < start.size(); ++v) start[v] += start[v - 1];
-    std::vector<std::uint32_t> around(start.back()), next(start.begin(), start.end() - 1);
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      for (const std::uint32_t v : mesh_.triangles[t]) around[next[v]++] = t;
-    }
-    std::vector<char> broken(mesh_.vertices_m.size(), 0);
-    parallel_for(static_cast<std::int64_t>(broken.size()), 4096, [&](std::int64_t k) {
-      const auto v = static_cast<std::size_t>(k);
-      broken[v] = fans_at(static_cast<std::uint32_t>(v),
-                          {around.data() + start[v], start[v + 1] - start[v]}) > 1;
-    });
-    for (std::uint32_t v = 0; v < broken.size(); ++v) {
-      if (broken[v] == 0 || is_pinch_of_terrain(v)) continue;
-      ++result_.non_manifold_vertices;
-      list("non-manifold vertex", position(v), around[start[v]]);
-    }
-  }
-
-  // Fans of triangles around a vertex: each triangle joins its neighbours by their two other
-  // corners.
-  int fans_at(std::uint32_t v, std::span<const std::uint32_t> triangles) const {
-    constexpr std::size_t kFew =
-        16;  // vertices of more triangles are rare, and take memory of their own
-    using Rim = std::pair<std::uint32_t, std::uint32_t>;
-    const std::size_t count = triangles.size();
-    std::array<Rim, kFew> few;
-    std::vector<Rim> many(count > kFew ? count : 0);
-    const std::span<Rim> rims =
-        count > kFew ? std::span<Rim>(many) : std::span<Rim>(few).first(count);
-    for (std::size_t k = 0; k < count; ++k) {
-      const Triangle& c = mesh_.triangles[triangles[k]];
-      const std::size_t own = c[0] == v ? 0 : c[1] == v ? 1 : 2;
-      rims[k] = {c[(own + 1) % 3], c[(own + 2) % 3]};
-    }
-    // The fan at hand is [begin, end); what touches a triangle of it is moved to its end.
-    int fans = 0;
-    for (std::size_t begin = 0, end = 0; begin < count; begin = end) {
-      ++fans;
-      end = begin + 1;
-      for (std::size_t grown = begin; grown < end; ++grown) {
-        const Rim rim = rims[grown];
-        for (std::size_t other = end; other < count; ++other) {
-          const auto [p, q] = rims[other];
-          if (p != rim.first && p != rim.second && q != rim.first && q != rim.second) continue;
-          std::swap(rims[other], rims[end++]);
-        }
-      }
-    }
-    return fans;
-  }
-
   // Where voids touch at a sample, the terrain itself hangs together by that point alone.
-  bool is_pinch_of_terrain(std::uint32_t v) const {
-    const glm::dvec3 at = position(v);
+  bool may_pinch(const glm::dvec3& at) const override {
     const terrain::Heightfield& field = truth_.field();
     int changes = 0;
     bool before = false;
@@ -239,59 +66,19 @@ class Examination {
     return changes > 2;
   }
 
-  // Vertices of open edges that lie in the inside of another open edge. They come few, or the mesh
-  // is a ruin anyway.
-  void find_t_junctions() {
-    constexpr std::size_t kMostEdges = 20'000;
-    std::vector<std::pair<glm::dvec2, std::uint32_t>> ends;
-    for (const OpenEdge& edge : open_) {
-      for (const std::uint32_t v : {edge.low, edge.high})
-        ends.emplace_back(glm::dvec2(position(v)), v);
-    }
-    std::sort(ends.begin(), ends.end(), [](const auto& a, const auto& b) {
-      return std::tie(a.first.x, a.first.y, a.second) < std::tie(b.first.x, b.first.y, b.second);
-    });
-    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-    const double near = kBeside * std::min(truth_.field().dx_m, truth_.field().dy_m);
-    std::vector<std::uint32_t> found;
-    for (std::size_t k = 0; k < std::min(open_.size(), kMostEdges); ++k) {
-      const OpenEdge& edge = open_[k];
-      const glm::dvec2 a(position(edge.low)), b(position(edge.high)), d = b - a;
-      const double length = std::sqrt(glm::dot(d, d));
-      const auto first =
-          std::lower_bound(ends.begin(), ends.end(), std::min(a.x, b.x) - near,
-                           [](const auto& end, double x) { return end.first.x < x; });
-      for (auto end = first; end != ends.end() && end->first.x <= std::max(a.x, b.x) + near;
-           ++end) {
-        if (end->second == edge.low || end->second == edge.high) continue;
-        const glm::dvec2 p = end->first - a;
-        const double along = glm::dot(p, d) / length,
-                     across = std::abs(p.x * d.y - p.y * d.x) / length;
-        if (across > near || along <= near || along >= length - near) continue;
-        found.push_back(end->second);
-        list("T-junction", position(end->second), edge.triangle);
-      }
-    }
-    std::sort(found.begin(), found.end());
-    result_.t_junctions = std::unique(found.begin(), found.end()) - found.begin();
+ private:
+  bool inside_terrain(double x, double y) const {
+    return reference::exists_at(truth_.field(), truth_.diagonal(), x, y);
   }
 
   const HeightfieldTruth& truth_;
-  const DrawnSurface& surface_;
-  const TriangleMesh& mesh_;
-  glm::dvec3 shift_;
-  const MeshEdges& edges_;
-  int most_listed_;
-  Topology result_;
-  std::map<std::string, int> listed_;
-  std::vector<OpenEdge> open_;
 };
 
 }  // namespace
 
 Topology topology_of(const HeightfieldTruth& truth, const DrawnSurface& surface,
                      const MeshEdges& edges, int most_listed) {
-  return Examination(truth, surface, edges, most_listed).run();
+  return examined(TerrainRules(truth), surface, edges, most_listed);
 }
 
 }  // namespace plumb::audit

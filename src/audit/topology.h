@@ -29,9 +29,13 @@ struct Topology {
       0;  // of three triangles or more, or of two that run the same way round
   std::int64_t non_manifold_vertices = 0;  // whose triangles do not form a single fan
   std::int64_t degenerate_triangles = 0;   // no area, or a corner named twice
-  std::int64_t folded_triangles = 0;       // facing down
+  /// Facing down; of a solid's surface, edges whose two triangles are folded together.
+  std::int64_t folded_triangles = 0;
   std::int64_t overlapped_samples =
       0;  // samples inside more than one triangle: sheets over each other (from the samples)
+  /// Pairs of triangles without a common vertex that pass through each other; -1 where nobody
+  /// looked (self_intersections.h).
+  std::int64_t self_intersections = -1;
   int largest_lod_jump = 0;          // between triangles that share an edge
   std::vector<TopologyFlaw> listed;  // the first of each kind, at most `most_listed` of a kind
 

@@ -8,8 +8,10 @@
 #include "audit/audit_json.h"
 #include "audit/audit_page.h"
 #include "audit/frame_memory.h"
+#include "audit/solid_audit.h"
 #include "audit/verdict_text.h"
 #include "audit_text.h"
+#include "audit_truth.h"
 #include "command.h"
 #include "common_options.h"
 #include "core/check.h"
@@ -60,7 +62,8 @@ struct Run {
   const MethodRequest request;
   const audit::AuditOptions measures;
   const terrain::Heightfield& field;
-  const audit::HeightfieldTruth& truth;
+  const terrain::Diagonal diagonal;  // of the truth, where it is a heightfield
+  const audit::TruthTerms truth;
   Progress& progress;
   std::unique_ptr<audit::PreparedMethod> prepared;  // null for a stranger's output
   std::unique_ptr<audit::MethodRun> frames;         // of it
@@ -94,17 +97,24 @@ struct Audited {
 // The truth is cast first, and what does not fit it is not audited.
 AuditResult audit_depth(Run& run, const Camera& camera) {
   Stopwatch watch;
-  DepthFrame frame = read_depth_frame(run.options.stranger, run.truth, camera, run.measures.band,
+  const audit::HeightfieldTruth& truth = *run.truth.heights();
+  DepthFrame frame = read_depth_frame(run.options.stranger, truth, camera, run.measures.band,
                                       run.request.tolerance);
   static_cast<Stranger&>(run.drawn) = std::move(frame.stranger);
   if (!run.drawn.warnings.empty()) run.progress.finish();
   for (const std::string& line : run.drawn.warnings) warn(line);
   const double truth_s = watch.lap_s();
-  AuditResult result =
-      audit::audit_picture(run.truth, std::move(frame.true_hits), run.drawn.surface,
-                           std::move(frame.drawn), camera, run.measures);
+  AuditResult result = audit::audit_picture(truth, std::move(frame.true_hits), run.drawn.surface,
+                                            std::move(frame.drawn), camera, run.measures);
   result.times.truth_s = truth_s;
   return result;
+}
+
+AuditResult audit_drawn(const Run& run, const Camera& camera) {
+  const DrawnSurface& surface = run.drawn.surface;
+  return run.truth.mesh() != nullptr
+             ? audit::audit_surface(*run.truth.mesh(), surface, camera, run.measures)
+             : audit::audit_surface(*run.truth.heights(), surface, camera, run.measures);
 }
 
 Audited audit_frame(Run& run, const Camera& camera, const std::string& frame) {
@@ -117,10 +127,8 @@ Audited audit_frame(Run& run, const Camera& camera, const std::string& frame) {
   }
   run.progress.step(where + "casting the truth and measuring");
   const bool is_depth = run.options.stranger.is_depth();
-  Audited audited{is_depth
-                      ? audit_depth(run, camera)
-                      : audit::audit_surface(run.truth, run.drawn.surface, camera, run.measures),
-                  {&run.field, run.truth.diagonal(), run.request.method->name, run.request.variant,
+  Audited audited{is_depth ? audit_depth(run, camera) : audit_drawn(run, camera),
+                  {&run.field, run.diagonal, run.request.method->name, run.request.variant,
                    run.request.choice.parameters, run.request.tolerance, camera,
                    run.options.camera.camera, run.invocation.command_line(), run.drawn.assumptions,
                    run.drawn.hints, run.drawn.surface.notes},
@@ -243,15 +251,17 @@ int run_audit(const AuditCommandOptions& options, const Invocation& invocation) 
   const terrain::Diagonal diagonal = options.terrain.diagonal.empty()
                                          ? request.method->truth
                                          : terrain::parse_diagonal(options.terrain.diagonal);
-  const audit::HeightfieldTruth truth(field, diagonal);
-  Run run{options, invocation, request, measures, field, truth, progress, nullptr, nullptr, {}};
-  prepare(run, frames.front());
-  if (!options.stranger.is_given() && diagonal != request.method->truth) {
-    run.drawn.assumptions.push_back(fmt::format(
-        "the claims of {} are judged on a surface whose diagonals are {}; what it "
-        "approximates has {} ones",
-        request.method->name, terrain::name_of(diagonal), terrain::name_of(request.method->truth)));
+  if (!options.stranger.is_given()) audit::require_drawable(*request.method, field);
+  if (field.stacks != nullptr) {
+    require_fitting_stacks(options.terrain, options.stranger, field);
+    progress.step("making the truth");
   }
+  const AuditTruth truth(field, diagonal, request);
+  Run run{options,       invocation, request, measures, field, diagonal,
+          truth.terms(), progress,   nullptr, nullptr,  {}};
+  prepare(run, frames.front());
+  for (std::string& line : truth.assumptions(request, options.stranger.is_given()))
+    run.drawn.assumptions.push_back(std::move(line));
   return frames.size() == 1 ? audit_one(run, frames.front()) : audit_path(run, frames);
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "audit/verdict_text.h"
 #include "text_table.h"
 
@@ -35,13 +37,21 @@ Rows error_rows(const AuditResult& result) {
   const auto add_of_mesh = [&](const char* name, const audit::Distribution& d) {
     if (result.of_mesh) add(name, d);
   };
-  add_of_mesh("sample error, m", result.samples.metres);
-  add_of_mesh("sample error in view, px", result.samples.pixels);
-  add("pixel error, vertical, px", result.vertical);
-  add_of_mesh("  from the truth, px", result.reverse_vertical);
+  if (result.of_heights) {
+    add_of_mesh("sample error, m", result.samples.metres);
+    add_of_mesh("sample error in view, px", result.samples.pixels);
+    add("pixel error, vertical, px", result.vertical);
+    add_of_mesh("  from the truth, px", result.reverse_vertical);
+  }
   if (!result.nearest.forward_px.empty()) {
     add("pixel error, nearest, px", result.nearest.forward);
     add_of_mesh("  from the truth, px", result.nearest.reverse);
+  }
+  if (!result.nearest.forward_m.empty()) {
+    add("pixel error, nearest, m", result.nearest.forward_metres);
+    add("  from the truth, m", result.nearest.reverse_metres);
+    add("vertices, in view or not, m", result.nearest.forward_vertices.distribution);
+    add("  from the truth, m", result.nearest.reverse_vertices.distribution);
   }
   add("depth, relative", result.depth);
   add_of_mesh("normals, degrees", result.normal_deg);
@@ -55,13 +65,17 @@ Rows summary_rows(const AuditResult& result) {
   Rows rows{{"coverage", fmt::format("{} holes, {} overshoots, {} see-through pixels", c.holes,
                                      c.overshoots, c.see_through)}};
   if (result.of_mesh) {
-    rows.push_back({"samples", fmt::format("{} with nothing drawn over them, {} voids drawn over",
-                                           result.samples.uncovered, result.samples.over_void)});
+    if (result.of_heights)
+      rows.push_back({"samples", fmt::format("{} with nothing drawn over them, {} voids drawn over",
+                                             result.samples.uncovered, result.samples.over_void)});
     rows.push_back(
         {"topology",
          fmt::format("{} open edges, {} T-junctions, {} non-manifold, {} degenerate, {} folded",
                      t.open_edges, t.t_junctions, t.non_manifold_edges + t.non_manifold_vertices,
                      t.degenerate_triangles, t.folded_triangles)});
+    if (t.self_intersections >= 0)
+      rows.push_back({"itself", fmt::format("{} pairs of triangles pass through each other",
+                                            t.self_intersections)});
   } else if (result.of_solid) {
     rows.push_back(
         {"set aside", fmt::format("{} pixels whose rays get below the ground without crossing it",
@@ -132,7 +146,9 @@ std::vector<std::string> frame_row(std::size_t number, const AuditResult& result
           claim ? claim->label : "-",
           claim ? audit::with_unit(claim->claim.bound, claim->claim.unit) : "-",
           claim ? audit::with_unit(claim->measured, claim->claim.unit) : "-",
-          audit::short_number(result.vertical.max),
+          audit::short_number(
+              result.of_heights ? result.vertical.max
+                                : std::max(result.nearest.forward.max, result.nearest.reverse.max)),
           std::to_string(result.coverage.holes + result.coverage.see_through),
           std::to_string(result.cost.triangles),
           fmt::format("{:.2f}", result.times.truth_s + result.times.measure_s)};

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "command.h"
 #include "common_options.h"
@@ -204,9 +205,8 @@ int run_stack_info(const InfoOptions& options, const Invocation& invocation) {
                 options.terrain.terrain);
   const std::string& file = options.terrain.terrain;
   const terrain::StackField field = terrain::read_stacks(file);
-  const auto bytes = static_cast<std::int64_t>(fs::file_size(file));
-  std::cout << (options.json ? stacks_json(field, file, bytes, invocation)
-                             : stacks_text(field, file, bytes));
+  const StackFileSize size{file, static_cast<std::int64_t>(fs::file_size(file))};
+  std::cout << (options.json ? stacks_json(field, size, invocation) : stacks_text(field, size));
   return 0;
 }
 
@@ -218,6 +218,13 @@ int run_info(const InfoOptions& options, const Invocation& invocation) {
   Progress progress;
   progress.step("reading the terrain");
   const Heightfield field = load(options.terrain, false);
+  if (field.stacks != nullptr) {  // of a generator: a file has gone its own way
+    if (!options.preview.empty()) write_preview(options.preview, field);
+    progress.finish();
+    std::cout << (options.json ? stacks_json(*field.stacks, std::nullopt, invocation)
+                               : stacks_text(*field.stacks, std::nullopt));
+    return 0;
+  }
   progress.step("measuring it");
   const TerrainStatistics found = terrain::statistics_of(field);
   if (!options.preview.empty()) {

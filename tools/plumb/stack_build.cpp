@@ -166,7 +166,8 @@ std::string build_stacks(const TerrainOptions& terrain, const StackBuildOptions&
     input_error("cannot write '{}': its stacks did not come back as they are", output);
   write_file_atomically(output, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   const auto size = static_cast<std::int64_t>(bytes.size());
-  return json ? stacks_json(field, output, size, invocation) : stacks_text(field, output, size);
+  const StackFileSize file{output, size};
+  return json ? stacks_json(field, file, invocation) : stacks_text(field, file);
 }
 
 }  // namespace plumb::tool

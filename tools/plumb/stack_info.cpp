@@ -43,15 +43,18 @@ double bits_a_stack(const StackField& field, std::int64_t bytes) {
 
 }  // namespace
 
-std::string stacks_text(const StackField& field, const std::string& file, std::int64_t bytes) {
+std::string stacks_text(const StackField& field, const std::optional<StackFileSize>& of) {
   const Facts facts = facts_of(field);
   const auto stacks = static_cast<double>(field.size());
-  std::vector<std::vector<std::string>> rows{
-      {"file", file},
-      {"terrain", field.provenance.source},
-      {"checksum", fmt::format("{:016x}", checksum(field))},
-      {"size",
-       fmt::format("{} x {} stacks, {} voxels up", field.columns, field.rows, field.voxels)}};
+  std::vector<std::vector<std::string>> rows;
+  const auto add_rows = [&](const std::vector<std::vector<std::string>>& more) {
+    rows.insert(rows.end(), more.begin(), more.end());
+  };
+  if (of) rows.push_back({"file", of->file});
+  add_rows({{"terrain", field.provenance.source},
+            {"checksum", fmt::format("{:016x}", checksum(field))},
+            {"size", fmt::format("{} x {} stacks, {} voxels up", field.columns, field.rows,
+                                 field.voxels)}});
   const std::string system = terrain::system_of_coordinates(field.provenance);
   if (!system.empty()) rows.push_back({"system", system});
   rows.push_back({"spacing", fmt::format("{:.8g} x {:.8g} m, voxels {:.8g} m high", field.dx_m,
@@ -63,12 +66,15 @@ std::string stacks_text(const StackField& field, const std::string& file, std::i
       {"layers", fmt::format("{}: {:.3f} a stack, at most {}", field.end_m.size(),
                              static_cast<double>(field.end_m.size()) / stacks, facts.most_layers)});
   rows.push_back({"holes", fmt::format("{} of {} stacks", facts.holes, field.size())});
-  rows.push_back(
-      {"bytes", fmt::format("{}: {:.3f} bits a stack", bytes, bits_a_stack(field, bytes))});
+  if (of)
+    rows.push_back({"bytes", fmt::format("{}: {:.3f} bits a stack", of->bytes,
+                                         bits_a_stack(field, of->bytes))});
   rows.push_back({"memory", fmt::format("{} bytes", field.bytes())});
-  rows.push_back({"voxels", fmt::format("{:.0f} bytes, were each a byte: {:.4g} times the file, "
-                                        "{:.4g} times the memory",
-                                        facts.voxels, facts.voxels / static_cast<double>(bytes),
+  const std::string of_file =
+      of ? fmt::format(" {:.4g} times the file,", facts.voxels / static_cast<double>(of->bytes))
+         : "";
+  rows.push_back({"voxels", fmt::format("{:.0f} bytes, were each a byte:{} {:.4g} times the memory",
+                                        facts.voxels, of_file,
                                         facts.voxels / static_cast<double>(field.bytes()))});
   for (const std::string& line : field.provenance.assumptions) rows.push_back({"assumed", line});
   std::vector<std::vector<std::string>> materials;
@@ -83,32 +89,33 @@ std::string stacks_text(const StackField& field, const std::string& file, std::i
          "\nAir counts as far as a stack's last layer covers it.\n";
 }
 
-std::string stacks_json(const StackField& field, const std::string& file, std::int64_t bytes,
+std::string stacks_json(const StackField& field, const std::optional<StackFileSize>& of,
                         const Invocation& invocation) {
   const Facts facts = facts_of(field);
-  nlohmann::ordered_json json{{"schema", "plumb.stacks/1"},
-                              {"command", invocation.command_line()},
-                              {"file", file},
-                              {"terrain",
-                               {{"source", field.provenance.source},
-                                {"checksum", fmt::format("{:016x}", checksum(field))},
-                                {"columns", field.columns},
-                                {"rows", field.rows},
-                                {"crs", field.provenance.crs},
-                                {"spacing_m", {field.dx_m, field.dy_m}},
-                                {"origin_m", {field.origin_m.x, field.origin_m.y}}}},
-                              {"voxels", field.voxels},
-                              {"voxel_m", field.voxel_m},
-                              {"low_m", field.low_m},
-                              {"high_m", field.high_m()},
-                              {"layers", field.end_m.size()},
-                              {"most_layers", facts.most_layers},
-                              {"holes", facts.holes},
-                              {"bytes", bytes},
-                              {"bits_per_stack", bits_a_stack(field, bytes)},
-                              {"memory_bytes", field.bytes()},
-                              {"voxel_bytes", facts.voxels},
-                              {"assumptions", field.provenance.assumptions}};
+  nlohmann::ordered_json json{
+      {"schema", "plumb.stacks/1"},
+      {"command", invocation.command_line()},
+      {"file", of ? nlohmann::ordered_json(of->file) : nullptr},
+      {"terrain",
+       {{"source", field.provenance.source},
+        {"checksum", fmt::format("{:016x}", checksum(field))},
+        {"columns", field.columns},
+        {"rows", field.rows},
+        {"crs", field.provenance.crs},
+        {"spacing_m", {field.dx_m, field.dy_m}},
+        {"origin_m", {field.origin_m.x, field.origin_m.y}}}},
+      {"voxels", field.voxels},
+      {"voxel_m", field.voxel_m},
+      {"low_m", field.low_m},
+      {"high_m", field.high_m()},
+      {"layers", field.end_m.size()},
+      {"most_layers", facts.most_layers},
+      {"holes", facts.holes},
+      {"bytes", of ? nlohmann::ordered_json(of->bytes) : nullptr},
+      {"bits_per_stack", of ? nlohmann::ordered_json(bits_a_stack(field, of->bytes)) : nullptr},
+      {"memory_bytes", field.bytes()},
+      {"voxel_bytes", facts.voxels},
+      {"assumptions", field.provenance.assumptions}};
   for (std::size_t k = 0; k < field.materials.size(); ++k)
     json["materials"].push_back({{"name", field.materials[k].name},
                                  {"volume_m3", facts.volumes_m3[k]},

@@ -190,13 +190,18 @@ void require_consistent(const StrangerOptions& s, const std::vector<std::string>
   }
 }
 
-Stranger read_stranger_mesh(const StrangerOptions& options, const audit::HeightfieldTruth& truth,
+Stranger read_stranger_mesh(const StrangerOptions& options, const audit::TruthTerms& truth,
                             const Camera& camera, const Tolerance& tolerance) {
   const terrain::MeshReadOptions read = mesh_options(options);
   terrain::MeshFile file = terrain::read_mesh(options.mesh_file, read);
   Stranger stranger;
   stranger.warnings = file.warnings;
-  if (const auto misfit = audit::misfit_of_mesh(truth, file.mesh, read, camera, tolerance)) {
+  const audit::HeightfieldTruth* heights = truth.heights();
+  // Whether it lies elsewhere within the terrain is told of heights alone.
+  const auto misfit = heights != nullptr
+                          ? audit::misfit_of_mesh(*heights, file.mesh, read, camera, tolerance)
+                          : std::nullopt;
+  if (misfit) {
     if (misfit->refuses && !options.trusted)
       input_error("mesh '{}': {}{}", options.mesh_file, misfit->text, kTrustNote);
     stranger.hints.push_back(misfit->text);
@@ -211,15 +216,19 @@ Stranger read_stranger_mesh(const StrangerOptions& options, const audit::Heightf
   surface.cost.vertices = static_cast<std::int64_t>(mesh->vertices_m.size());
   surface.cost.triangles = static_cast<std::int64_t>(mesh->triangles.size());
   surface.mesh = std::move(mesh);
-  surface.claims.push_back(
-      {tolerance.unit == Unit::Pixel ? Measure::PixelError : Measure::SampleError, tolerance.value,
-       tolerance.unit});
+  const Measure measure = heights == nullptr              ? Measure::NearestError
+                          : tolerance.unit == Unit::Pixel ? Measure::PixelError
+                                                          : Measure::SampleError;
+  surface.claims.push_back({measure, tolerance.value, tolerance.unit});
   surface.notes.push_back(fmt::format(
       "A mesh from a file claims --tolerance ({}: the {}) and to have no hole; --limit has more "
       "judged. Its silhouettes may move by --tolerance; where they move farther, terrain seen past "
       "them counts as see-through.",
-      to_text(tolerance), tolerance.unit == Unit::Pixel ? "pixel error" : "sample error"));
-  surface.notes.push_back(kDiagonalNote);
+      to_text(tolerance),
+      heights == nullptr              ? "distance to the nearest point, both ways"
+      : tolerance.unit == Unit::Pixel ? "pixel error"
+                                      : "sample error"));
+  if (heights != nullptr) surface.notes.push_back(kDiagonalNote);
   return stranger;
 }
 

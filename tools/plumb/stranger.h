@@ -7,6 +7,7 @@
 
 #include "audit/audit.h"
 #include "audit/truth.h"
+#include "audit/truth_terms.h"
 #include "core/camera.h"
 #include "core/claim.h"
 #include "core/drawn_surface.h"
@@ -43,9 +44,10 @@ struct Stranger {
 };
 
 /// The mesh, which is held against the terrain through the first camera. It claims what `tolerance`
-/// says: in pixels the pixel error, in metres the sample error. Throws InputError for a file that
+/// says: in pixels the pixel error, in metres the sample error; of a terrain of stacks the distance
+/// to the nearest point. Throws InputError for a file that
 /// cannot be read and a mesh that does not fit.
-Stranger read_stranger_mesh(const StrangerOptions& options, const audit::HeightfieldTruth& truth,
+Stranger read_stranger_mesh(const StrangerOptions& options, const audit::TruthTerms& truth,
                             const Camera& camera, const Tolerance& tolerance);
 
 /// The depth buffer and the picture that it is; it claims the pixel error in the tolerance's unit.

@@ -10,6 +10,7 @@
 
 #include "audit/caster_agreement.h"
 #include "audit/frame_memory.h"
+#include "audit/method.h"
 #include "audit/picture.h"
 #include "audit/scene.h"
 #include "command.h"
@@ -32,7 +33,7 @@ namespace {
 struct TruthOptions {
   TerrainOptions terrain;
   CameraOptions camera;
-  std::string caster = "pyramid";
+  std::string caster;  // empty: "pyramid", of stacks "embree"
   std::string output, drape;
   bool witness = false;
   bool json = false;
@@ -94,9 +95,9 @@ Target target_of(const TruthOptions& options) {
       options.output);
 }
 
-// `drape` may be null.
+// `mesh` is null where the truth is a heightfield; `drape` may be null.
 void write_picture(const TruthOptions& options, Target target, const terrain::Heightfield& field,
-                   const HitImage& hits, const audit::PlacedCamera& view,
+                   const DrawnSurface* mesh, const HitImage& hits, const audit::PlacedCamera& view,
                    const image::ColourImage* drape) {
   audit::PictureMaker maker;
   maker.method = "truth";
@@ -104,7 +105,9 @@ void write_picture(const TruthOptions& options, Target target, const terrain::He
   maker.program_version = version_number();
   maker.scene_toml = audit::to_toml(scene_of(options, field, view));
   maker.drape = drape;
-  const image::AovImage picture = audit::draw_truth_picture(field, hits, view.camera, maker);
+  const image::AovImage picture = mesh != nullptr
+                                      ? audit::draw_picture(field, hits, *mesh, view.camera, maker)
+                                      : audit::draw_truth_picture(field, hits, view.camera, maker);
   if (target == Target::Exr) image::write_exr(options.output, picture);
   if (target == Target::Png) image::write_png(options.output, audit::preview_of(picture));
   if (target == Target::StandardOutput) std::cout << image::exr_bytes(picture);
@@ -156,7 +159,18 @@ std::string truth_json(const TruthOptions& options, const Invocation& invocation
   return json.dump(2) + "\n";
 }
 
-int run_truth(const TruthOptions& options, const Invocation& invocation) {
+// Of stacks, whose surface is a mesh, for which there is one caster.
+std::optional<DrawnSurface> full_detail_mesh(const TruthOptions& options,
+                                             const terrain::Heightfield& field) {
+  if (field.stacks == nullptr) return std::nullopt;
+  const std::string& source = field.provenance.source;
+  if (options.witness || options.caster == "pyramid")
+    input_error("{}: {} is a terrain of stacks, at which Embree alone casts",
+                options.witness ? "--witness" : "--caster pyramid", source);
+  return audit::full_detail_of_stacks(audit::built_in_methods(), field);
+}
+
+int run_truth(TruthOptions options, const Invocation& invocation) {
   const ThreadLimit limit(options.threads);
   const Target target = target_of(options);
   std::optional<image::ColourImage> drape;
@@ -169,8 +183,11 @@ int run_truth(const TruthOptions& options, const Invocation& invocation) {
   const Camera& camera = view.camera;
   audit::require_frame_memory(camera, (options.witness ? 2 : 1) * audit::kHitBytes +
                                           (target == Target::None ? 0 : audit::kPictureBytes));
+  const std::optional<DrawnSurface> mesh = full_detail_mesh(options, field);
+  if (options.caster.empty()) options.caster = mesh ? "embree" : "pyramid";
   progress.step("casting rays");
-  const Cast found = cast(options.caster, field, diagonal, camera);
+  const Cast found = mesh ? cast_with([&] { return reference::EmbreeCaster(*mesh->mesh); }, camera)
+                          : cast(options.caster, field, diagonal, camera);
   std::int64_t hits = 0;
   for (std::size_t pixel = 0; pixel < found.hits.size(); ++pixel) hits += found.hits.hit(pixel);
   std::optional<audit::CasterAgreement> agreement;
@@ -182,7 +199,8 @@ int run_truth(const TruthOptions& options, const Invocation& invocation) {
   }
   if (target != Target::None) {
     progress.step("writing the picture");
-    write_picture(options, target, field, found.hits, view, drape ? &*drape : nullptr);
+    write_picture(options, target, field, mesh ? &*mesh : nullptr, found.hits, view,
+                  drape ? &*drape : nullptr);
   }
   progress.finish();
   const int status = agreement && !agreement->agrees() ? 1 : 0;
@@ -210,7 +228,8 @@ Command truth_command() {
     add_camera_options(options, values->camera);
     options.group("Truth");
     options.choice(values->caster, "--caster", {"pyramid", "embree"},
-                   "Who casts: the min/max pyramid (default), or Embree with decisions in double");
+                   "Who casts: the min/max pyramid (default), or Embree with decisions in double "
+                   "(the only one for terrains of stacks)");
     options.flag(values->witness, "--witness", "Ask the other caster as well and compare");
     options.group("Output");
     add_output_option(options, values->output,

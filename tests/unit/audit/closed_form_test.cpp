@@ -154,7 +154,7 @@ TEST(Limits, AreReadAndRefused) {
   EXPECT_EQ(parse_limit("sample-error=5m").unit, Unit::Metre);
   EXPECT_EQ(parse_limit("coverage=0").unit, Unit::Count);
   for (const char* text : {"pixel-error", "pixel-error=", "pixel-error=1", "unheard-of=1px",
-                           "coverage=-1", "nearest-error=1m", ""}) {
+                           "coverage=-1", "reverse-pixel-error=1m", ""}) {
     EXPECT_ANY_THROW(parse_limit(text)) << text;
   }
 }

@@ -1,0 +1,28 @@
+// Holes, overshoots and see-through places of a surface that is no heightfield.
+#pragma once
+
+#include "audit/coverage.h"
+#include "audit/mesh_truth.h"
+#include "audit/solid_nearest.h"
+
+namespace plumb::audit {
+
+/// Compares what is drawn with what a mesh's truth demands, by the band along silhouettes that
+/// coverage.h has.
+///
+/// hole         nothing is drawn, and the truth is hit at all pixels within the band; no truth ray
+///              between their centres misses
+/// overshoot    something is drawn, and the truth is missed at all pixels within the band; no truth
+///              ray between their centres hits
+/// see-through  the truth is hit all around, the drawn point lies behind all of it, also between
+///              the centres, and the point of the drawn surface that is nearest to the truth's is
+///              farther from it than the band, on the screen or in metres: nothing stands where the
+///              truth does, and what is drawn there is what the truth hides
+///
+/// band      where it has metres, rays are cast as far around as those reach on the screen
+/// to_drawn  the drawn mesh, asked for nearest points
+Coverage solid_coverage_of(const MeshTruth& truth, const HitImage& true_hits, const HitImage& drawn,
+                           const Camera& camera, const DrawnSurface& surface,
+                           const NearestSide& to_drawn, const Band& band, int most_listed = 100);
+
+}  // namespace plumb::audit

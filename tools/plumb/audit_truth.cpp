@@ -1,0 +1,51 @@
+#include "audit_truth.h"
+
+#include <fmt/format.h>
+
+#include "audit/method.h"
+#include "core/check.h"
+
+namespace plumb::tool {
+
+AuditTruth::AuditTruth(const terrain::Heightfield& field, terrain::Diagonal diagonal,
+                       const MethodRequest& request) {
+  if (field.stacks == nullptr) {
+    heights_.emplace(field, diagonal);
+  } else {
+    mesh_.emplace(field, audit::full_detail_of_stacks(audit::built_in_methods(), field,
+                                                      request.method, request.choice));
+  }
+}
+
+audit::TruthTerms AuditTruth::terms() const {
+  return mesh_ ? audit::TruthTerms(*mesh_) : audit::TruthTerms(*heights_);
+}
+
+std::vector<std::string> AuditTruth::assumptions(const MethodRequest& request,
+                                                 bool of_stranger) const {
+  if (mesh_)
+    return {fmt::format(
+        "the truth is the stacks' finest level as a mesh, by the filter and the "
+        "placement {}",
+        of_stranger ? "that method stacks has if none is named" : "of the method itself")};
+  const terrain::Diagonal diagonal = heights_->diagonal();
+  if (of_stranger || diagonal == request.method->truth) return {};
+  return {fmt::format(
+      "the claims of {} are judged on a surface whose diagonals are {}; what it approximates has "
+      "{} ones",
+      request.method->name, terrain::name_of(diagonal), terrain::name_of(request.method->truth))};
+}
+
+void require_fitting_stacks(const TerrainOptions& terrain, const StrangerOptions& stranger,
+                            const terrain::Heightfield& field) {
+  const std::string& source = field.provenance.source;
+  if (stranger.is_depth())
+    input_error(
+        "--depth: {} is a terrain of stacks, of which depth buffers are not audited yet (a mesh "
+        "is, with --mesh)",
+        source);
+  if (!terrain.diagonal.empty())
+    input_error("--diagonal: {} is a terrain of stacks, which has no cells with diagonals", source);
+}
+
+}  // namespace plumb::tool
