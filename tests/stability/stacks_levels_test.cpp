@@ -3,11 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+
+#include <glm/geometric.hpp>
 
 #include "core/camera.h"
 #include "support/drawn_stacks.h"
 #include "support/stack_surfaces.h"
+#include "terrain/stacks/stack_source.h"
 
 namespace plumb::mesh::stacks {
 namespace {
@@ -140,6 +144,72 @@ TEST(StackLevels, AreTheSameAfterAJumpAsWithoutOne) {
   EXPECT_NE(before, fresh.mesh->triangles.size());
   EXPECT_EQ(jumped.mesh->vertices_m, fresh.mesh->vertices_m);
   EXPECT_EQ(jumped.mesh->triangles, fresh.mesh->triangles);
+}
+
+struct Turned {
+  int triangles = 0, over = 0;        // facing away from their vertices' normals
+  int between_levels = 0, sharp = 0;  // with corners of two levels, and 45 degrees off those
+  int sharp_within = 0;               // the same of one level
+};
+
+Turned turned(const Prepared& prepared, const Octree& octree) {
+  std::vector<const NodeMesh*> pointers;
+  const auto meshes = prepared.cache->meshes(octree, octree.drawn());
+  for (const auto& mesh : meshes) pointers.push_back(mesh.get());
+  const JoinedSurface surface = joined(pointers);
+  Turned turned;
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    glm::dvec3 normal(0.0);
+    for (const std::uint32_t v : {a, b, c}) normal += glm::normalize(surface.normal[v]);
+    const glm::dvec3 area =
+        area_normal(surface.position[a], surface.position[b], surface.position[c]);
+    const double cosine = glm::dot(area, normal) / (glm::length(area) * glm::length(normal));
+    const bool is_between = surface.names[a].level != surface.names[b].level ||
+                            surface.names[b].level != surface.names[c].level;
+    ++turned.triangles;
+    turned.over += cosine < 0.0 ? 1 : 0;
+    turned.between_levels += is_between ? 1 : 0;
+    (is_between ? turned.sharp : turned.sharp_within) += cosine < std::sqrt(0.5) ? 1 : 0;
+  };
+  for (const Face& face : surface.faces) {
+    add(face[0], face[1], face[2]);
+    if (face[3] != kNoCorner) add(face[0], face[2], face[3]);
+  }
+  return turned;
+}
+
+// Both levels' surfaces are right, half a coarse voxel apart, and the triangles between them turn.
+TEST(StackLevels, AreJoinedBySharpTurns) {
+  const StackField field = terrain::generate_stacks("generate:caves?size=129");
+  Octree octree{glm::ivec3(kSide + 1)};
+  octree.divide([](const Node& node) { return node.level > (node.at.x % 2 == 0 ? 0 : 1); });
+  octree.balance();
+  const Turned caves = turned(prepare(field), octree);
+  std::printf("between levels %d triangles, %d over 45 degrees off; within %d, %d\n",
+              caves.between_levels, caves.sharp, caves.triangles - caves.between_levels,
+              caves.sharp_within);
+  EXPECT_GT(caves.sharp * 20, caves.between_levels);
+  EXPECT_LT(caves.sharp_within * 100, caves.triangles);
+}
+
+TEST(StackLevels, TurnFewestTrianglesOverByMeans) {
+  const StackField field = terrain::generate_stacks("generate:caves?size=129");
+  for (const int radius : {0, 1}) {
+    std::map<dual_contouring::Placement, int> over;
+    for (const auto placement : {dual_contouring::Placement::Mean, dual_contouring::Placement::Qef,
+                                 dual_contouring::Placement::Particle}) {
+      Parameters parameters = filtered(radius);
+      parameters.placement = placement;
+      Octree octree{glm::ivec3(kSide + 1)};
+      octree.divide([](const Node&) { return true; });
+      const Turned caves = turned(prepare(field, parameters), octree);
+      over[placement] = caves.over;
+      std::printf("radius %d, %s: %d of %d turned over\n", radius,
+                  dual_contouring::name_of(placement), caves.over, caves.triangles);
+    }
+    EXPECT_LT(over[dual_contouring::Placement::Mean], over[dual_contouring::Placement::Particle]);
+    EXPECT_LT(over[dual_contouring::Placement::Particle], over[dual_contouring::Placement::Qef]);
+  }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "core/camera.h"
 #include "core/reproducible_math.h"
 #include "reference/mesh_nearest.h"
 #include "support/stack_surfaces.h"
@@ -173,6 +174,33 @@ TEST(StackShift, OfCavesIsHalfAVoxelALevel) {
       EXPECT_LT(p99_m, 0.6 * (1 << level));
       finer = coarser;
     }
+  }
+}
+
+// The tolerance is the size of a node, not an error: what is drawn lies pixels beside the finest
+// level. A cell spans tau / 16 pixels at most, and nothing was found farther off than one.
+TEST(StackShift, OfAFrameIsPixelsAtThePapersTolerance) {
+  const Prepared prepared =
+      prepare(terrain::generate_stacks("generate:caves?size=257"), filtered(1, Variant::Published));
+  const Camera camera =
+      make_camera({.eye_m = {128, -60, 130}, .target_m = {128, 128, 40}, .fov_y_deg = 50});
+  const DrawnSurface truth = finest(prepared);
+  const reference::MeshNearest nearest(*truth.mesh);
+  for (const double tau_px : {160.0, 320.0, 640.0}) {
+    const DrawnSurface drawn = draw(prepared, camera, {tau_px, Unit::Pixel});
+    std::vector<double> pixels;
+    Shift shift;
+    for (const auto& found : nearest.nearest(drawn.mesh->vertices_m)) {
+      shift.add(found.distance_m);
+      pixels.push_back(found.distance_m * camera.gamma_h /
+                       glm::distance(camera.eye_m, found.point_m));
+    }
+    std::sort(pixels.begin(), pixels.end());
+    const double p99_px = pixels[pixels.size() * 99 / 100];
+    std::printf("| %.0f | %.1f | %zu | %.2f | %.2f | %.1f | %.1f |\n", tau_px, tau_px / 16,
+                drawn.mesh->triangles.size(), shift.rms_m(), shift.max_m, p99_px, pixels.back());
+    EXPECT_GT(pixels.back(), tau_px / 80);
+    EXPECT_LT(pixels.back(), tau_px / 16);
   }
 }
 
