@@ -1,7 +1,9 @@
 #include "mesh/stacks/stack_densities.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "core/check.h"
 #include "terrain/stacks/stack_pyramid.h"
 
 namespace plumb::mesh::stacks {
@@ -12,6 +14,9 @@ using dual_contouring::LatticeBox;
 StackDensities::StackDensities(terrain::StackField finest, const dual_contouring::Filter& filter)
     : filter_(filter) {
   terrain::require_valid(finest);
+  if (!finest.holes.empty() &&
+      std::find(finest.holes.begin(), finest.holes.end(), 0) == finest.holes.end())
+    input_error("a terrain of stacks that has holes alone has no surface");
   const Octree octree(glm::ivec3(finest.columns, finest.rows, finest.voxels));
   levels_ = terrain::stack_pyramid(std::move(finest), octree.root_level() + 1);
   for (const terrain::StackField& level : levels_) nearest_.emplace_back(level);

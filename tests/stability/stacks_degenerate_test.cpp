@@ -1,0 +1,142 @@
+// Stacks that are hardly any: one of them, one row, one voxel, holes alone, sizes out of
+// proportion.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "core/check.h"
+#include "support/stack_surfaces.h"
+#include "terrain/stacks/stack_pyramid.h"
+
+namespace plumb::mesh::stacks {
+namespace {
+
+using terrain::Layer;
+using terrain::StackField;
+using test_support::check_stack_mesh;
+using test_support::filtered;
+using test_support::StackMeshCheck;
+using test_support::stacks_where;
+using test_support::surface_on;
+
+using Layers = std::vector<Layer>;
+
+Layers steps(int i, int j) { return {{0, 4.0F + static_cast<float>((i + 2 * j) % 5), 1}}; }
+
+// A surface ends where the outermost stacks stand: between one row's there is nothing, and what is
+// drawn has no area.
+TEST(DegenerateStacks, OfOneRowHaveNoArea) {
+  for (const auto& [columns, rows] : {std::pair(1, 1), {1, 40}, {40, 1}}) {
+    const StackField field = stacks_where(columns, rows, 16, steps);
+    for (int level = 0; level < 3; ++level) {
+      const TriangleMesh mesh = surface_on(prepare(field), level);
+      EXPECT_EQ(check_stack_mesh(mesh, field).degenerate, static_cast<int>(mesh.triangles.size()));
+    }
+  }
+}
+
+// Two rows are the least that has a surface: 39 x 1 m seen from above.
+TEST(DegenerateStacks, OfTwoRowsHaveTheirOutline) {
+  const StackField field = stacks_where(40, 2, 16, [](int, int) { return Layers{{0, 4.5F, 1}}; });
+  const TriangleMesh mesh = surface_on(prepare(field), 0);
+  double area_m2 = 0.0;
+  for (const Triangle& t : mesh.triangles)
+    area_m2 +=
+        area_normal(mesh.vertices_m[t[0]], mesh.vertices_m[t[1]], mesh.vertices_m[t[2]]).z / 2;
+  EXPECT_EQ(area_m2, 39.0);
+}
+
+TEST(DegenerateStacks, OneVoxelHighAreDrawn) {
+  const StackField field = stacks_where(20, 20, 1, [](int, int) { return Layers{{0, 1, 1}}; });
+  for (int radius = 0; radius < 3; ++radius) {
+    for (int level = 0; level < 2; ++level) {
+      const StackMeshCheck check =
+          check_stack_mesh(surface_on(prepare(field, filtered(radius)), level), field);
+      EXPECT_TRUE(check.is_manifold());
+      // Half a voxel of level 1: exactly where the ground is, unless it is smoothed.
+      if (level == 0 || radius == 0) {
+        EXPECT_EQ(check.highest_m, 1.0);
+      }
+      EXPECT_EQ(check.lowest_m, check.highest_m);
+    }
+  }
+}
+
+TEST(DegenerateStacks, OfHolesAloneAreRefusedInOneLine) {
+  StackField field = stacks_where(1, 1, 4, steps);
+  field.columns = 3;
+  terrain::StackWriter writer(field);
+  for (int i = 0; i < 3; ++i) writer.add_hole();
+  try {
+    prepare(field);
+    FAIL() << "drawn";
+  } catch (const InputError& error) {
+    const std::string line = error.what();
+    EXPECT_NE(line.find("hole"), std::string::npos) << line;
+    EXPECT_EQ(line.find('\n'), std::string::npos);
+  }
+}
+
+// Layers end on eighths of a metre, their middles on sixteenths: a million metres up, the next
+// float is that far away. Finer ends would be rounded there, and so would the middles of level 2.
+TEST(DegenerateStacks, AMillionMetresUpAreTheSame) {
+  const auto ground = [](float low_m) {
+    StackField field = stacks_where(1, 1, 16, steps);
+    field.columns = field.rows = 20;
+    field.low_m = low_m;
+    terrain::StackWriter writer(field);
+    for (int k = 0; k < 400; ++k)
+      writer.add(Layers{{low_m, low_m + 4 + static_cast<float>(k * 7 % 48) / 8, 1}});
+    return field;
+  };
+  for (int level = 0; level < 2; ++level) {
+    const TriangleMesh low = surface_on(prepare(ground(0)), level),
+                       high = surface_on(prepare(ground(1e6F)), level);
+    ASSERT_EQ(low.triangles, high.triangles);
+    for (std::size_t v = 0; v < low.vertices_m.size(); ++v)
+      EXPECT_EQ(high.vertices_m[v].z, 1e6 + low.vertices_m[v].z);
+  }
+}
+
+// A plane under 2 m of relief in voxels of a millimetre: 2048 voxels over 4 x 4 stacks, and the
+// surface is off by 3/2 - sqrt(2) of one at most, a float's rounding besides.
+TEST(DegenerateStacks, OfVoxelsAMillimetreHighAreDrawn) {
+  StackField field = stacks_where(4, 4, 2048, [](int, int) { return Layers{}; });
+  field.voxel_m = 1e-3;
+  terrain::StackWriter writer(field);
+  for (int k = 0; k < 16; ++k) writer.add(Layers{{0, 1.2345F, 1}});
+  const StackMeshCheck check = check_stack_mesh(surface_on(prepare(field, filtered(0)), 0), field);
+  EXPECT_TRUE(check.is_manifold());
+  EXPECT_NEAR(check.lowest_m, 1.2345, 1e-3 * (1.5 - std::sqrt(2.0)) + 1e-7);
+  EXPECT_EQ(check.lowest_m, check.highest_m);
+}
+
+TEST(DegenerateStacks, OfTooManyVoxelsAreRefused) {
+  StackField field = stacks_where(2, 2, 1, [](int, int) { return Layers{{0, 1, 1}}; });
+  field.voxels = (1 << 24) + 1;
+  EXPECT_THROW(prepare(field), std::exception);
+}
+
+// A hole takes the nearest stack; on the levels above it is left out, and four are one.
+TEST(DegenerateStacks, HolesAreFilledFromBeside) {
+  StackField field = stacks_where(24, 24, 16, [](int, int) { return Layers{}; });
+  terrain::StackWriter writer(field);
+  for (int k = 0; k < 24 * 24; ++k) {
+    if (k % 24 < 2 && k / 24 < 2) {
+      writer.add_hole();
+    } else {
+      writer.add(Layers{{0, 6, 1}});
+    }
+  }
+  EXPECT_TRUE(terrain::halved(field).is_hole(0, 0));
+  for (int level = 0; level < 2; ++level) {
+    const StackMeshCheck check = check_stack_mesh(surface_on(prepare(field), level), field);
+    EXPECT_TRUE(check.is_manifold());
+    EXPECT_EQ(check.lowest_m, 6.0);
+    EXPECT_EQ(check.highest_m, 6.0);
+  }
+}
+
+}  // namespace
+}  // namespace plumb::mesh::stacks
