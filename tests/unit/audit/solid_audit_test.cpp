@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
 #include "audit/audit_json.h"
 #include "core/check.h"
@@ -209,6 +211,45 @@ TEST(SolidAudit, MissesAPitThatVanished) {
   EXPECT_EQ(result.nearest.reverse_metres.max, 6.0);
   EXPECT_GT(result.nearest.forward_metres.max, 1.0);  // from the lid to the pit's walls
   EXPECT_LT(result.nearest.forward_metres.max, 3.0);
+}
+
+// Level at 4 m, from west to east over each of these stretches.
+TriangleMesh strips(std::vector<glm::dvec2> stretches) {
+  TriangleMesh mesh;
+  for (const glm::dvec2& x : stretches) {
+    const auto at = static_cast<std::uint32_t>(mesh.vertices_m.size());
+    mesh.vertices_m.insert(mesh.vertices_m.end(),
+                           {{x[0], 0, 4}, {x[1], 0, 4}, {x[1], 16, 4}, {x[0], 16, 4}});
+    mesh.triangles.insert(mesh.triangles.end(), {{at, at + 1, at + 2}, {at, at + 2, at + 3}});
+  }
+  return mesh;
+}
+
+Coverage coverage_of_strips(const TriangleMesh& truth, const TriangleMesh& drawn) {
+  const terrain::Heightfield field = level_ground();
+  const DrawnSurface any = full_detail(field);
+  const MeshTruth narrow(field, with_mesh(any, truth));
+  return audit_surface(narrow, with_mesh(any, drawn), from_20_m()).coverage;
+}
+
+// A pixel is 0.149 m wide, and x = 8 lies between two columns of them. A slit or a wire of 0.04 m
+// there meets no pixel's centre, one of 0.2 m those of two columns, one of 1.2 m those of eight.
+TEST(SolidAudit, ForgivesWhatIsDrawnAroundDetailBetweenPixels) {
+  const auto slit = [](double half) { return strips({{0, 8 - half}, {8 + half, 16}}); };
+  const auto wire = [](double half) { return strips({{8 - half, 8 + half}}); };
+  EXPECT_EQ(coverage_of_strips(slit(0.02), slit(0.1)).holes, 0);
+  EXPECT_EQ(coverage_of_strips(slit(0.0), slit(0.1)).holes, 200);
+  EXPECT_EQ(coverage_of_strips(slit(0.02), slit(0.6)).holes, 800);
+  EXPECT_EQ(coverage_of_strips(wire(0.02), wire(0.1)).overshoots, 0);
+  EXPECT_EQ(coverage_of_strips(wire(0.02), wire(0.6)).overshoots, 800);
+}
+
+TEST(SolidAudit, TellsOutsideFromInside) {
+  const terrain::Heightfield field = level_ground();
+  const DrawnSurface exact = full_detail(field);
+  TriangleMesh turned = *exact.mesh;
+  for (Triangle& t : turned.triangles) std::swap(t[1], t[2]);
+  EXPECT_EQ(audit_solid(field, with_mesh(exact, turned)).normal_deg.p50, 180.0);
 }
 
 nlohmann::json json_with(int threads) {
