@@ -24,30 +24,6 @@ const ClaimResult& claim_of(const AuditResult& result, const std::string& label)
                        [&](const ClaimResult& c) { return c.label == label; });
 }
 
-TriangleMesh raised(TriangleMesh mesh, double by_m) {
-  for (glm::dvec3& vertex : mesh.vertices_m) vertex.z += by_m;
-  return mesh;
-}
-
-/// Without the triangle that covers (x, y) and lies highest there.
-TriangleMesh without_top_triangle_at(TriangleMesh mesh, double x, double y) {
-  std::size_t highest = mesh.triangles.size();
-  double height = -std::numeric_limits<double>::infinity();
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Triangle& c = mesh.triangles[t];
-    bool inside = true;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const glm::dvec3 &a = mesh.vertices_m[c[k]], &b = mesh.vertices_m[c[(k + 1) % 3]];
-      inside = inside && (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x) > 0.0;
-    }
-    if (!inside || !(mesh.vertices_m[c[0]].z > height)) continue;
-    height = mesh.vertices_m[c[0]].z;
-    highest = t;
-  }
-  mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(highest));
-  return mesh;
-}
-
 // Ground at 4 m and a block of 5 x 5 m that rises to 12: 16 m and 8 m below the eye. A depth is a
 // quotient of sums of coordinates up to 20, rounded some eight times.
 TEST(MeshTruth, IsHitWhereABlockOfRockStands) {
@@ -144,49 +120,6 @@ TEST(SolidAudit, RefusesWhatOnlyHeightsHave) {
                InputError);
 }
 
-// Nothing lies below the sheet: every pixel that the triangle showed is a hole. Half a square metre
-// at 107.2 / 16 pixels a metre has an area of 22.4 pixels, give or take half of its rim of 23.
-TEST(SolidAudit, CountsTheHolesOfAMissingTriangle) {
-  const terrain::Heightfield field = level_ground();
-  const DrawnSurface exact = full_detail(field);
-  const AuditResult result =
-      audit_solid(field, with_mesh(exact, without_top_triangle_at(*exact.mesh, 8.2, 8.3)));
-  EXPECT_EQ(result.coverage.holes, 10'000 - pixels_drawn(result));
-  EXPECT_NEAR(static_cast<double>(result.coverage.holes), 22.4, 11.5);
-  EXPECT_EQ(result.coverage.overshoots + result.coverage.see_through, 0);
-  EXPECT_EQ(result.topology.open_edges, 3);
-  EXPECT_EQ(result.verdict(), Verdict::Broken);
-  EXPECT_EQ(result.nearest.forward.max, 0.0);
-  EXPECT_GT(result.nearest.reverse_metres.max, 0.1);
-  EXPECT_LT(result.nearest.reverse_metres.max, 0.3);  // a triangle's inner radius is 0.293 m
-}
-
-// A roof from 6 to 8 m over a floor at 2: through a missing triangle of its top its underside is
-// seen. Pixels within the band of a rim that is drawn are not counted.
-TEST(SolidAudit, CountsWhatIsSeenThroughAMissingTriangle) {
-  const terrain::Heightfield field = solid([](int, int) { return "rr....rr.."; });
-  const DrawnSurface exact = full_detail(field);
-  const AuditResult result =
-      audit_solid(field, with_mesh(exact, without_top_triangle_at(*exact.mesh, 8.2, 8.3)));
-  EXPECT_EQ(pixels_drawn(result), 10'000);
-  EXPECT_GT(result.coverage.see_through, 5);
-  EXPECT_LT(result.coverage.see_through, 45);
-  EXPECT_EQ(result.coverage.holes + result.coverage.overshoots, 0);
-  EXPECT_EQ(result.verdict(), Verdict::Broken);
-}
-
-// The truth ends at the outline, 8 m from the middle; at 18 m below the eye 8.4 m are seen.
-TEST(SolidAudit, CountsWhatIsDrawnBeyondTheTerrain) {
-  const terrain::Heightfield field = solid([](int, int) { return "rr......"; });
-  TriangleMesh wide;
-  wide.vertices_m = {{-8, -8, 2}, {24, -8, 2}, {24, 24, 2}, {-8, 24, 2}};
-  wide.triangles = {{0, 1, 2}, {0, 2, 3}};
-  const AuditResult result = audit_solid(field, with_mesh(full_detail(field), wide));
-  EXPECT_GT(result.coverage.overshoots, 100);
-  EXPECT_EQ(result.coverage.holes + result.coverage.see_through, 0);
-  EXPECT_EQ(result.topology.open_edges, 4);
-}
-
 // A cave from 2 to 6 m below ground at 8: its floor's middle lies 6 m below what is drawn without
 // it, and no pixel shows that.
 TEST(SolidAudit, MissesACaveThatVanished) {
@@ -211,37 +144,6 @@ TEST(SolidAudit, MissesAPitThatVanished) {
   EXPECT_EQ(result.nearest.reverse_metres.max, 6.0);
   EXPECT_GT(result.nearest.forward_metres.max, 1.0);  // from the lid to the pit's walls
   EXPECT_LT(result.nearest.forward_metres.max, 3.0);
-}
-
-// Level at 4 m, from west to east over each of these stretches.
-TriangleMesh strips(std::vector<glm::dvec2> stretches) {
-  TriangleMesh mesh;
-  for (const glm::dvec2& x : stretches) {
-    const auto at = static_cast<std::uint32_t>(mesh.vertices_m.size());
-    mesh.vertices_m.insert(mesh.vertices_m.end(),
-                           {{x[0], 0, 4}, {x[1], 0, 4}, {x[1], 16, 4}, {x[0], 16, 4}});
-    mesh.triangles.insert(mesh.triangles.end(), {{at, at + 1, at + 2}, {at, at + 2, at + 3}});
-  }
-  return mesh;
-}
-
-Coverage coverage_of_strips(const TriangleMesh& truth, const TriangleMesh& drawn) {
-  const terrain::Heightfield field = level_ground();
-  const DrawnSurface any = full_detail(field);
-  const MeshTruth narrow(field, with_mesh(any, truth));
-  return audit_surface(narrow, with_mesh(any, drawn), from_20_m()).coverage;
-}
-
-// A pixel is 0.149 m wide, and x = 8 lies between two columns of them. A slit or a wire of 0.04 m
-// there meets no pixel's centre, one of 0.2 m those of two columns, one of 1.2 m those of eight.
-TEST(SolidAudit, ForgivesWhatIsDrawnAroundDetailBetweenPixels) {
-  const auto slit = [](double half) { return strips({{0, 8 - half}, {8 + half, 16}}); };
-  const auto wire = [](double half) { return strips({{8 - half, 8 + half}}); };
-  EXPECT_EQ(coverage_of_strips(slit(0.02), slit(0.1)).holes, 0);
-  EXPECT_EQ(coverage_of_strips(slit(0.0), slit(0.1)).holes, 200);
-  EXPECT_EQ(coverage_of_strips(slit(0.02), slit(0.6)).holes, 800);
-  EXPECT_EQ(coverage_of_strips(wire(0.02), wire(0.1)).overshoots, 0);
-  EXPECT_EQ(coverage_of_strips(wire(0.02), wire(0.6)).overshoots, 800);
 }
 
 TEST(SolidAudit, TellsOutsideFromInside) {
