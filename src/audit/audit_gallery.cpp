@@ -1,5 +1,7 @@
 #include "audit/audit_gallery.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "audit/audit_pictures.h"
@@ -46,26 +48,21 @@ std::vector<Shown> gallery(const AuditResult& result, const AuditSubject& subjec
   shown.push_back({"drawn.png", "drawn", "What the method draws.", drawn});
   shown.push_back({"difference.png", "difference", "Colours apart, four times as strong.",
                    difference_picture(true_picture, drawn)});
-  const auto summarise = [&](const ErrorMap& errors) {
-    shown.push_back({"summary.png", "", "", side_by_side({true_picture, drawn, errors.picture})});
-  };
-  const auto add_map = [&](const char* file, const char* name, ErrorMap errors,
+  std::vector<Shown> maps;
+  std::vector<image::Rgb8Image> summary{true_picture, drawn};
+  const auto add_map = [&](const char* file, const char* name, const std::vector<float>& errors,
                            const std::string& title) {
-    shown.push_back(shown_map(file, name, std::move(errors), title + ", in pixels"));
+    if (errors.empty()) return;
+    ErrorMap map = error_map(result, errors, title, bound);
+    if (summary.size() == 2) summary.push_back(map.picture);
+    maps.push_back(shown_map(file, name, std::move(map), title + ", in pixels"));
   };
-  if (result.of_heights) {
-    ErrorMap errors = error_map(result, result.pixels.vertical_px, vertical, bound);
-    summarise(errors);
-    add_map("pixel-error.png", "pixel error", std::move(errors), vertical);
-  }
-  if (!result.nearest.forward_px.empty()) {
-    ErrorMap errors = error_map(result, result.nearest.forward_px, nearest, bound);
-    if (!result.of_heights) summarise(errors);
-    add_map("nearest-error.png", "nearest", std::move(errors), nearest);
-  }
-  if (!result.of_heights && !result.nearest.reverse_px.empty())
-    add_map("reverse-error.png", "from the truth",
-            error_map(result, result.nearest.reverse_px, reverse, bound), reverse);
+  add_map("pixel-error.png", "pixel error", result.pixels.vertical_px, vertical);
+  add_map("nearest-error.png", "nearest", result.nearest.forward_px, nearest);
+  if (!result.of_heights)
+    add_map("reverse-error.png", "from the truth", result.nearest.reverse_px, reverse);
+  shown.push_back({"summary.png", "", "", side_by_side(summary)});
+  std::move(maps.begin(), maps.end(), std::back_inserter(shown));
   if (!surface.kinds.empty()) {
     const std::vector<std::uint16_t>& overdraw = result.drawn.overdraw;
     const std::string fragments = "Fragments tested for each pixel";

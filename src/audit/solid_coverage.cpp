@@ -52,6 +52,7 @@ class SolidLook {
     const double depth = drawn_.depth_m[pixel];
     if (depth <= n.deepest * (1.0 + kSameDepth)) return false;
     if (has_drawn_nearby(local_.eye_m + true_hits_.from_eye_m[pixel])) return false;
+    if (counterpart_is_visible(camera_.eye_m + drawn_.from_eye_m[pixel])) return false;
     return !any_ray(x, y, true_hits_, [&](const reference::RayHit& ray) {
       return !ray || ray.t >= depth * (1.0 - kNearlySameDepth);
     });
@@ -62,6 +63,19 @@ class SolidLook {
     const reference::NearestPoint found = to_drawn_.nearest->nearest(true_point);
     return found.distance_m <= band_.metres + to_drawn_.slack_m ||
            apart_on_screen(local_, true_point, found.point_m) <= radius_;
+  }
+
+  // True if the truth nearest to the drawn point is seen from the eye: then the surface is
+  // displaced, not torn.
+  bool counterpart_is_visible(const glm::dvec3& drawn_point) const {
+    if (!truth_.nearest()) return false;
+    const glm::dvec3 origin = truth_.mesh().origin_m, eye = camera_.eye_m - origin,
+                     place = truth_.nearest()->nearest(drawn_point - origin).point_m;
+    const double depth = glm::dot(place - eye, camera_.forward);
+    if (!(depth > camera_.near_m)) return false;
+    const reference::RayHit hit =
+        truth_.caster().cast({eye, place - eye, camera_.near_m / depth, 2.0});
+    return hit && hit.t >= 1.0 - kSameDepth;
   }
 
   // As far as the surface may have moved around what `image` shows there.

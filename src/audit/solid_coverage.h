@@ -15,9 +15,11 @@ namespace plumb::audit {
 /// overshoot    something is drawn, and the truth is missed at all pixels within the band; no truth
 ///              ray between their centres hits
 /// see-through  the truth is hit all around, the drawn point lies behind all of it, also between
-///              the centres, and the point of the drawn surface that is nearest to the truth's is
-///              farther from it than the band, on the screen or in metres: nothing stands where the
-///              truth does, and what is drawn there is what the truth hides
+///              the centres; the point of the drawn surface that is nearest to the truth's is
+///              farther from it than the band, on the screen and in metres; and the truth nearest
+///              to the drawn point is itself hidden. So nothing stands where the truth does, and
+///              what is drawn is what the truth hides. What is merely displaced is the nearest
+///              error's matter
 ///
 /// band      where it has metres, rays are cast as far around as those reach on the screen
 /// to_drawn  the drawn mesh, asked for nearest points

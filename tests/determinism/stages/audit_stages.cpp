@@ -1,8 +1,10 @@
 #include "audit/audit.h"
 #include "audit/picture.h"
+#include "audit/solid_audit.h"
 #include "raster/rasteriser.h"
 #include "scene.h"
 #include "stage.h"
+#include "terrain/terrain_source.h"
 
 namespace plumb::determinism {
 namespace {
@@ -93,6 +95,29 @@ std::uint64_t whole_audit(bool sound) {
   return sum.value();
 }
 
+// Caves by coarse nodes, held against their finest level.
+std::uint64_t audit_of_stacks() {
+  const terrain::Heightfield field = terrain::load_terrain("generate:caves?size=33&spacing=8");
+  const Camera camera = camera_for(field, "oblique");
+  constexpr Tolerance kCoarse{60.0, Unit::Pixel};
+  const audit::MethodTable& table = audit::built_in_methods();
+  const DrawnSurface surface =
+      audit::prepare_method(audit::find_method(table, "stacks"), field, {"published", {}}, kCoarse)
+          ->draw(camera, kCoarse);
+  const audit::MeshTruth truth(field, audit::full_detail_of_stacks(table, field));
+  const AuditResult result = audit::audit_surface(truth, surface, camera);
+  Checksum sum;
+  add_measures(sum, result);
+  for (const std::vector<float>* map :
+       {&result.nearest.reverse_px, &result.nearest.forward_m, &result.nearest.reverse_m,
+        &result.nearest.forward_vertices.metres, &result.nearest.reverse_vertices.metres})
+    sum.add(std::span<const float>(*map));
+  sum.add(result.topology.self_intersections);
+  add_coverage(sum, result);
+  add_claims(sum, result);
+  return sum.value();
+}
+
 // Every channel of both kinds of picture, as golden cases sum them up.
 std::uint64_t pictures() {
   const terrain::Heightfield field = hills();
@@ -112,6 +137,7 @@ std::uint64_t pictures() {
 std::vector<Stage> audit_stages() {
   return {{"audit.of_a_sound_surface", [] { return whole_audit(true); }},
           {"audit.of_a_damaged_surface", [] { return whole_audit(false); }},
+          {"audit.of_stacks", audit_of_stacks},
           {"audit.pictures", pictures}};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -51,6 +52,30 @@ inline DrawnSurface with_mesh(const DrawnSurface& surface, TriangleMesh mesh) {
   changed.vertex_colours.clear();
   changed.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
   return changed;
+}
+
+inline TriangleMesh raised(TriangleMesh mesh, double by_m) {
+  for (glm::dvec3& vertex : mesh.vertices_m) vertex.z += by_m;
+  return mesh;
+}
+
+/// Without the triangle that covers (x, y) and lies highest there.
+inline TriangleMesh without_top_triangle_at(TriangleMesh mesh, double x, double y) {
+  std::size_t highest = mesh.triangles.size();
+  double height = -std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Triangle& c = mesh.triangles[t];
+    bool inside = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::dvec3 &a = mesh.vertices_m[c[k]], &b = mesh.vertices_m[c[(k + 1) % 3]];
+      inside = inside && (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x) > 0.0;
+    }
+    if (!inside || !(mesh.vertices_m[c[0]].z > height)) continue;
+    height = mesh.vertices_m[c[0]].z;
+    highest = t;
+  }
+  mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(highest));
+  return mesh;
 }
 
 /// 100 x 100 pixels straight down from 20 m over the middle: 9.3 m each way are seen of what lies
