@@ -49,6 +49,9 @@ struct Method {
   /// If set: what a parameter of the user's stands for, so that a result that names it can be made
   /// again where a file that it came from is gone.
   std::function<MethodChoice(MethodChoice)> resolve = {};
+  /// Variants whose tolerance is a size on the screen, and no error: silhouettes must not move by
+  /// it.
+  std::vector<std::string> size_variants = {};
   bool takes_stacks = false;  // it draws terrains of stacks too, not heights alone
   /// If set: the full-detail mesh of a terrain of stacks by the same parameters, whatever the
   /// variant: the truth that its drawings are held against.

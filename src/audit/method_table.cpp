@@ -288,6 +288,7 @@ Method stacks_row() {
   method.variants = {"conservative", "published"};
   method.tolerance_units = {Unit::Pixel};
   method.takes_stacks = true;
+  method.size_variants = {"published"};
   method.parameters = {
       {"placement", "of vertices: mean, qef or particle (mean)"},
       {"filter", "that smoothes the densities: gauss or box (gauss)"},

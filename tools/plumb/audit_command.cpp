@@ -1,6 +1,7 @@
 // plumb audit: how wrong a method's picture is, where, and whether it kept its promise.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -50,6 +51,8 @@ audit::AuditOptions audit_options(const AuditCommandOptions& options,
   audit::AuditOptions result;
   for (const std::string& text : options.limits) result.limits.push_back(audit::parse_limit(text));
   result.nearest = !options.without_nearest;
+  const std::vector<std::string>& sizes = request.method->size_variants;
+  if (std::find(sizes.begin(), sizes.end(), request.variant) != sizes.end()) return result;
   (request.tolerance.unit == Unit::Pixel ? result.band.pixels : result.band.metres) =
       request.tolerance.value;
   return result;

@@ -120,7 +120,12 @@ terrain::StackField stacks(const TerrainOptions& terrain, const StackBuildOption
   if (!options.layers.empty()) return layer_stacks(terrain, options);
   if (!options.voxels.empty()) return voxel_stacks(terrain, options);
   if (!options.mesh.empty()) return mesh_stacks(terrain, options);
-  return terrain::stacks_of(load(terrain), options.voxel_m.value_or(0.0));
+  const terrain::Heightfield field = load(terrain);
+  if (field.stacks == nullptr) return terrain::stacks_of(field, options.voxel_m.value_or(0.0));
+  if (options.voxel_m)
+    input_error("--voxel-height: {} is a terrain of stacks and has its own, {} m", terrain.terrain,
+                field.stacks->voxel_m);
+  return *field.stacks;
 }
 
 void refuse_own_source(const StackBuildOptions& options, const std::string& output) {

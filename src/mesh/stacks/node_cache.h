@@ -18,8 +18,8 @@ namespace plumb::mesh::stacks {
 /// The meshes of nodes by what lies beside them. Safe to ask from several threads.
 class NodeCache {
  public:
-  NodeCache(std::shared_ptr<const StackDensities> densities, const NodeMeshOptions& options)
-      : densities_(std::move(densities)), options_(options) {}
+  NodeCache(std::shared_ptr<const StackDensities> densities, NodeMeshOptions options)
+      : densities_(std::move(densities)), options_(std::move(options)) {}
 
   /// Of every drawn node of a balanced tree, in its order; those that are not there yet are made,
   /// in parallel.

@@ -190,7 +190,7 @@ class Mesher {
   }
 
   void add_edge(const glm::ivec3& p, int axis, bool is_inside) {
-    if (!outline_.holds(node_.level, p, axis)) return;
+    if (!outline_.holds(node_.level, p, axis) || is_in_hole(p, axis)) return;
     glm::ivec3 a(0), b(0);
     a[(axis + 1) % 3] = b[(axis + 2) % 3] = 1;
     std::array<glm::ivec3, 4> around{p - a - b, p - b, p, p - a};
@@ -198,6 +198,14 @@ class Mesher {
     Face slots{};
     for (std::size_t k = 0; k < 4; ++k) slots[k] = slot_of(around[k], p, axis);
     add_face(slots);
+  }
+
+  // Whether a stack that the edge from p along an axis touches is a hole.
+  bool is_in_hole(const glm::ivec3& p, int axis) const {
+    if (!options_.is_hole) return false;
+    const int level = node_.level;
+    return options_.is_hole(level, p.x, p.y) ||
+           options_.is_hole(level, p.x + (axis == 0 ? 1 : 0), p.y + (axis == 1 ? 1 : 0));
   }
 
   void add_face(const Face& slots) {

@@ -53,6 +53,9 @@ struct NodeMeshOptions {
   /// Columns and rows of the finest level: the surface ends at their outermost stacks. 0: it goes
   /// on to the ends of the nodes.
   glm::ivec2 outline{0};
+  /// Whether nothing is known of a stack of a level, which lies in the field: no face crosses it.
+  /// Empty: there are no holes.
+  std::function<bool(int level, int i, int j)> is_hole = {};
 };
 
 /// The faces of the lattice edges whose lower end is one of the node's voxels.

@@ -26,6 +26,11 @@ class StackDensities {
   /// Columns, rows and voxels of the finest level.
   glm::ivec3 size() const;
   std::size_t bytes() const;
+  bool has_holes() const { return !field().holes.empty(); }
+  /// Of a stack of a level.
+  bool is_hole(int level, int i, int j) const {
+    return levels_[static_cast<std::size_t>(level)].is_hole(i, j);
+  }
 
   /// A DensitySource.
   dual_contouring::Lattice<float> operator()(int level,

@@ -97,9 +97,14 @@ Prepared prepare(terrain::StackField field, const Parameters& parameters) {
   Prepared prepared;
   prepared.parameters = parameters;
   prepared.densities = std::make_shared<const StackDensities>(std::move(field), parameters.filter);
-  prepared.cache = std::make_shared<NodeCache>(
-      prepared.densities, NodeMeshOptions{parameters.variant, parameters.placement,
-                                          glm::ivec2(prepared.densities->size())});
+  NodeMeshOptions options{parameters.variant, parameters.placement,
+                          glm::ivec2(prepared.densities->size())};
+  if (prepared.densities->has_holes()) {
+    options.is_hole = [densities = prepared.densities](int level, int i, int j) {
+      return densities->is_hole(level, i, j);
+    };
+  }
+  prepared.cache = std::make_shared<NodeCache>(prepared.densities, std::move(options));
   if (parameters.variant == Variant::Conservative)
     prepared.errors = std::make_shared<const LevelErrors>(*prepared.densities, *prepared.cache);
   return prepared;
