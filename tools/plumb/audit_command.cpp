@@ -254,11 +254,8 @@ int run_audit(const AuditCommandOptions& options, const Invocation& invocation) 
   const terrain::Diagonal diagonal = options.terrain.diagonal.empty()
                                          ? request.method->truth
                                          : terrain::parse_diagonal(options.terrain.diagonal);
-  if (!options.stranger.is_given()) audit::require_drawable(*request.method, field);
-  if (field.stacks != nullptr) {
-    require_fitting_stacks(options.terrain, options.stranger, field);
-    progress.step("making the truth");
-  }
+  require_fitting(options.terrain, options.stranger, request, field);
+  if (field.stacks != nullptr) progress.step("making the truth");
   const AuditTruth truth(field, diagonal, request);
   Run run{options,       invocation, request, measures, field, diagonal,
           truth.terms(), progress,   nullptr, nullptr,  {}};

@@ -36,8 +36,10 @@ std::vector<std::string> AuditTruth::assumptions(const MethodRequest& request,
       request.method->name, terrain::name_of(diagonal), terrain::name_of(request.method->truth))};
 }
 
-void require_fitting_stacks(const TerrainOptions& terrain, const StrangerOptions& stranger,
-                            const terrain::Heightfield& field) {
+void require_fitting(const TerrainOptions& terrain, const StrangerOptions& stranger,
+                     const MethodRequest& request, const terrain::Heightfield& field) {
+  if (field.stacks == nullptr) return;
+  if (!stranger.is_given()) audit::require_drawable(*request.method, field);
   const std::string& source = field.provenance.source;
   if (stranger.is_depth())
     input_error(

@@ -33,9 +33,9 @@ class AuditTruth {
   std::optional<audit::MeshTruth> mesh_;
 };
 
-/// Throws InputError for what is not audited against stacks: depth buffers, and diagonals, which
-/// they do not have.
-void require_fitting_stacks(const TerrainOptions& terrain, const StrangerOptions& stranger,
-                            const terrain::Heightfield& field);
+/// Throws InputError for what is not audited against a terrain of stacks: methods that draw
+/// heights, depth buffers, and diagonals, which stacks do not have.
+void require_fitting(const TerrainOptions& terrain, const StrangerOptions& stranger,
+                     const MethodRequest& request, const terrain::Heightfield& field);
 
 }  // namespace plumb::tool
