@@ -40,6 +40,33 @@ Lattice<float> StackDensities::of_material(int level, terrain::Material material
       filter_);
 }
 
+std::vector<terrain::Material> StackDensities::materials_in(int level,
+                                                            const LatticeBox& box) const {
+  const auto at = static_cast<std::size_t>(level);
+  const terrain::StackField& field = levels_[at];
+  const LatticeBox wide = box.grown(filter_.radius);
+  // A voxel more on either side, for roundings.
+  const double from_m = field.low_m + (wide.low.z - 1.0) * field.voxel_m,
+               to_m = field.low_m + (wide.high().z + 1.0) * field.voxel_m;
+  std::vector<bool> found(field.materials.size());
+  const auto columns = static_cast<std::size_t>(field.columns);
+  for (int j = wide.low.y; j < wide.high().y; ++j) {
+    for (int i = wide.low.x; i < wide.high().x; ++i) {
+      const std::size_t index = nearest_[at].at(i, j);
+      const terrain::StackView stack =
+          field.stack(static_cast<int>(index % columns), static_cast<int>(index / columns));
+      for (std::size_t k = 0; k < stack.size() && (k == 0 || stack.start_m(k) < to_m); ++k) {
+        if (stack.end_m[k] > from_m) found[stack.material[k]] = true;
+      }
+    }
+  }
+  std::vector<terrain::Material> materials;
+  for (std::size_t m = 1; m < found.size(); ++m) {
+    if (found[m]) materials.push_back(static_cast<terrain::Material>(m));
+  }
+  return materials;
+}
+
 glm::dvec3 StackDensities::metres(const glm::dvec3& steps) const {
   const terrain::StackField& finest = field();
   return {(steps.x - 0.5) * finest.dx_m, (steps.y - 0.5) * finest.dy_m,

@@ -32,6 +32,10 @@ class StackDensities {
                                              const dual_contouring::LatticeBox& box) const;
   dual_contouring::Lattice<float> of_material(int level, terrain::Material material,
                                               const dual_contouring::LatticeBox& box) const;
+  /// The materials but air whose density may be above zero somewhere in a box: all others are zero
+  /// there.
+  std::vector<terrain::Material> materials_in(int level,
+                                              const dual_contouring::LatticeBox& box) const;
 
   /// A place on the lattice in metres, relative to (field().origin_m, 0).
   glm::dvec3 metres(const glm::dvec3& steps) const;
