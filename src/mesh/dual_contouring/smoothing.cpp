@@ -74,19 +74,15 @@ Lattice<float> smoothed_flat(const Lattice<float>& density, const Weights& weigh
   return flat;
 }
 
-// All is air, or all is ground: property (1).
-bool is_uniform(const Lattice<float>& density) {
-  const float first = density.values().front();
-  return (first == 0.0F || first == 1.0F) &&
-         std::all_of(density.values().begin(), density.values().end(),
-                     [&](float value) { return value == first; });
-}
-
 }  // namespace
 
-Lattice<float> smoothed(const Lattice<float>& density, const Filter& filter) {
+void require_valid(const Filter& filter) {
   require(filter.radius >= 0 && filter.radius <= kMaxRadius,
           "a filter's radius must be in [0, {}], got {}", kMaxRadius, filter.radius);
+}
+
+Lattice<float> smoothed(const Lattice<float>& density, const Filter& filter) {
+  require_valid(filter);
   const LatticeBox box = density.box();
   const int least = std::min({box.size.x, box.size.y, box.size.z});
   require(least >= 2 * filter.radius, "a filter of radius {} needs {} samples a side, got {}",
@@ -96,10 +92,6 @@ Lattice<float> smoothed(const Lattice<float>& density, const Filter& filter) {
   Lattice<float> result(box.grown(-filter.radius));
   const LatticeBox inner = result.box();
   if (result.values().empty()) return result;
-  if (is_uniform(density)) {
-    std::fill(result.values().begin(), result.values().end(), density.values().front());
-    return result;
-  }
   const Lattice<float> flat = smoothed_flat(density, weights);
   const auto slice =
       static_cast<std::size_t>(inner.size.x) * static_cast<std::size_t>(inner.size.y);

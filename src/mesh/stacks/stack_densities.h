@@ -18,7 +18,8 @@ namespace plumb::mesh::stacks {
 /// finest level: stack (i, j) stands at (i + 1/2, j + 1/2), height low_m is 0.
 class StackDensities {
  public:
-  /// Throws std::invalid_argument if the field is not valid, InputError if it has holes alone.
+  /// Throws std::invalid_argument if the field or the filter is not valid, InputError if it has
+  /// holes alone.
   StackDensities(terrain::StackField finest, const dual_contouring::Filter& filter);
 
   const terrain::StackField& field() const { return levels_.front(); }
@@ -27,7 +28,7 @@ class StackDensities {
   glm::ivec3 size() const;
   std::size_t bytes() const;
 
-  /// A DensitySource.
+  /// A DensitySource: what density_of() and smoothed() say, faster where there is no surface.
   dual_contouring::Lattice<float> operator()(int level,
                                              const dual_contouring::LatticeBox& box) const;
   dual_contouring::Lattice<float> of_material(int level, terrain::Material material,
