@@ -60,7 +60,7 @@ InsideBits::InsideBits(const Lattice<float>& density)
   const auto rows = static_cast<std::size_t>(samples_.size.y);
   words_ = (width + kWord - 1) / kWord + 1;
   bits_.resize(words_ * rows * static_cast<std::size_t>(samples_.size.z));
-  parallel_for(samples_.size.z, 1, [&](std::int64_t z) {
+  parallel_for(samples_.size.z, slices_a_task(width * rows), [&](std::int64_t z) {
     for (std::size_t y = 0; y < rows; ++y) {
       const std::size_t at = static_cast<std::size_t>(z) * rows + y;
       const float* in = density.values().data() + at * width;

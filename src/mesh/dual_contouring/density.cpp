@@ -77,7 +77,8 @@ Lattice<float> coverage(const StackField& level, const LatticeBox& box,
   if (density.values().empty()) return density;
   const glm::ivec3 high = box.high();
   const auto width = static_cast<std::size_t>(box.size.x);
-  parallel_for(box.size.y, 1, [&](std::int64_t y) {
+  const std::size_t samples = width * static_cast<std::size_t>(box.size.z);
+  parallel_for(box.size.y, slices_a_task(samples), [&](std::int64_t y) {
     const int j = box.low.y + static_cast<int>(y);
     std::vector<float> columns(static_cast<std::size_t>(box.size.z) * kColumns);
     std::vector<Run> runs;

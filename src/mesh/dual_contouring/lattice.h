@@ -3,6 +3,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -43,6 +44,12 @@ struct LatticeBox {
 
   friend bool operator==(const LatticeBox&, const LatticeBox&) = default;
 };
+
+/// How many slices of so many samples each are worth a task of their own.
+inline std::int64_t slices_a_task(std::size_t samples) {
+  constexpr std::size_t kSamples = 1 << 14;
+  return static_cast<std::int64_t>(kSamples / std::max<std::size_t>(1, samples)) + 1;
+}
 
 /// A value for each index of a box. T is not bool.
 template <class T>

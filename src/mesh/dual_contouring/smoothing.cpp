@@ -59,9 +59,10 @@ Lattice<float> smoothed_flat(const Lattice<float>& density, const Weights& weigh
   Lattice<float> flat({box.low + glm::ivec3(r, r, 0), box.size - glm::ivec3(2 * r, 2 * r, 0)});
   const LatticeBox inner = flat.box();
   const auto width = static_cast<std::size_t>(inner.size.x);
-  parallel_for(box.size.z, 1, [&](std::int64_t slice) {
+  const std::size_t rows_a_slice = width * static_cast<std::size_t>(box.size.y);
+  parallel_for(box.size.z, slices_a_task(rows_a_slice), [&](std::int64_t slice) {
     const int z = box.low.z + static_cast<int>(slice);
-    std::vector<float> rows(width * static_cast<std::size_t>(box.size.y));
+    std::vector<float> rows(rows_a_slice);
     for (int y = 0; y < box.size.y; ++y)
       filter_row(density.row(box.low.y + y, z).data() + r, 1, weights,
                  rows.data() + static_cast<std::size_t>(y) * width, width);
@@ -75,9 +76,13 @@ Lattice<float> smoothed_flat(const Lattice<float>& density, const Weights& weigh
 
 }  // namespace
 
-Lattice<float> smoothed(const Lattice<float>& density, const Filter& filter) {
+void require_valid(const Filter& filter) {
   require(filter.radius >= 0 && filter.radius <= kMaxRadius,
           "a filter's radius must be in [0, {}], got {}", kMaxRadius, filter.radius);
+}
+
+Lattice<float> smoothed(const Lattice<float>& density, const Filter& filter) {
+  require_valid(filter);
   const LatticeBox box = density.box();
   const int least = std::min({box.size.x, box.size.y, box.size.z});
   require(least >= 2 * filter.radius, "a filter of radius {} needs {} samples a side, got {}",
@@ -90,7 +95,7 @@ Lattice<float> smoothed(const Lattice<float>& density, const Filter& filter) {
   const Lattice<float> flat = smoothed_flat(density, weights);
   const auto slice =
       static_cast<std::size_t>(inner.size.x) * static_cast<std::size_t>(inner.size.y);
-  parallel_for(inner.size.z, 1, [&](std::int64_t z) {
+  parallel_for(inner.size.z, slices_a_task(slice), [&](std::int64_t z) {
     filter_row(flat.values().data() + static_cast<std::size_t>(z + filter.radius) * slice,
                static_cast<std::ptrdiff_t>(slice), weights,
                result.values().data() + static_cast<std::size_t>(z) * slice, slice);

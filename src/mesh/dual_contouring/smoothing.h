@@ -17,6 +17,9 @@ struct Filter {
   friend bool operator==(const Filter&, const Filter&) = default;
 };
 
+/// Throws std::invalid_argument for a radius outside [0, 4].
+void require_valid(const Filter& filter);
+
 /// Each sample's weighted mean with its neighbours: along x, then y, then z.
 ///
 /// returns  the lattice's box without `radius` samples on every side

@@ -55,9 +55,9 @@ std::vector<glm::vec3> node_colours(const NodeMesh& mesh, const StackDensities& 
   std::vector<double> weight(mesh.names.size(), 0.0);
   for (std::size_t first = 0; first < mesh.names.size();) {
     const LevelRun run = run_from(mesh, first);
-    for (std::size_t m = 1; m < materials.size(); ++m) {
-      const Lattice<float> of_material = densities.of_material(
-          mesh.names[first].level, static_cast<terrain::Material>(m), run.samples);
+    const int level = mesh.names[first].level;
+    for (const terrain::Material m : densities.materials_in(level, run.samples)) {
+      const Lattice<float> of_material = densities.of_material(level, m, run.samples);
       for (std::size_t k = run.first; k < run.last; ++k) {
         const double density = density_at(of_material, mesh.names[k].cell, within_cell(mesh, k));
         sum[k] += density * materials[m].colour;

@@ -43,25 +43,23 @@ struct NodeCells {
   std::optional<LevelCells> fine, coarse;
 };
 
-// A block of 2 x 2 x 2 samples that lies in a coarser node or touches one, itself not being divided
-// further, has the next level's densities. `blocks`: the places that blocks lie in.
+// A block of 2 x 2 x 2 samples that lies in a coarser node or touches one has the next level's
+// densities; in a balanced tree none of a finer node does. `blocks`: the places that blocks lie in.
 Lattice<float> replaced(const Lattice<float>& smoothed, const Lattice<float>& next,
                         const NodePlaces& blocks) {
   Lattice<float> drawn = smoothed;
   const glm::ivec3 low = drawn.box().low, high = drawn.box().high(), next_low = next.box().low;
-  const PlaceBits coarser = blocks.kind(Beside::Coarser), finer = blocks.kind(Beside::Finer);
   for (int z = low.z; z < high.z; ++z) {
     for (int y = low.y; y < high.y; ++y) {
       const int by = y >> 1, bz = z >> 1;
-      const PlaceBits touched = blocks.along(1, by - 1, by + 1) & blocks.along(2, bz - 1, bz + 1);
-      if ((touched & coarser) == 0) continue;
-      const PlaceBits here = blocks.along(1, by, by) & blocks.along(2, bz, bz);
+      const PlaceBits coarser = blocks.kind(Beside::Coarser) & blocks.along(1, by - 1, by + 1) &
+                                blocks.along(2, bz - 1, bz + 1);
+      if (coarser == 0) continue;
       const auto row = drawn.row(y, z);
       const auto next_row = next.row(by, bz);
       for (int x = low.x; x < high.x; ++x) {
         const int bx = x >> 1;
-        if ((blocks.along(0, bx - 1, bx + 1) & touched & coarser) != 0 &&
-            (blocks.along(0, bx, bx) & here & finer) == 0)
+        if ((blocks.along(0, bx - 1, bx + 1) & coarser) != 0)
           row[static_cast<std::size_t>(x - low.x)] =
               next_row[static_cast<std::size_t>(bx - next_low.x)];
       }

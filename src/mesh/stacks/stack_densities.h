@@ -18,7 +18,8 @@ namespace plumb::mesh::stacks {
 /// finest level: stack (i, j) stands at (i + 1/2, j + 1/2), height low_m is 0.
 class StackDensities {
  public:
-  /// Throws std::invalid_argument if the field is not valid, InputError if it has holes alone.
+  /// Throws std::invalid_argument if the field or the filter is not valid, InputError if it has
+  /// holes alone.
   StackDensities(terrain::StackField finest, const dual_contouring::Filter& filter);
 
   const terrain::StackField& field() const { return levels_.front(); }
@@ -32,10 +33,14 @@ class StackDensities {
     return levels_[static_cast<std::size_t>(level)].is_hole(i, j);
   }
 
-  /// A DensitySource.
+  /// A DensitySource: what density_of() and smoothed() say, faster where there is no surface.
   dual_contouring::Lattice<float> operator()(int level,
                                              const dual_contouring::LatticeBox& box) const;
   dual_contouring::Lattice<float> of_material(int level, terrain::Material material,
+                                              const dual_contouring::LatticeBox& box) const;
+  /// The materials but air whose density may be above zero somewhere in a box: all others are zero
+  /// there.
+  std::vector<terrain::Material> materials_in(int level,
                                               const dual_contouring::LatticeBox& box) const;
 
   /// A place on the lattice in metres, relative to (field().origin_m, 0).

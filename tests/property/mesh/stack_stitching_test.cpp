@@ -15,20 +15,39 @@ using dual_contouring::LatticeBox;
 
 constexpr int kSide = 128;  // voxels
 
-// Samples of every level are inside or not by chance, none knowing of the others; air around them,
-// so that the surface has no border.
-DensitySource random_signs(std::uint64_t seed) {
-  return [seed](int level, const LatticeBox& box) {
+// Densities of every level by chance, none knowing of the others; air around them, so that the
+// surface has no border. `density_at(level, p, bits)`, bits being random.
+template <class DensityAt>
+DensitySource air_around(std::uint64_t seed, const DensityAt& density_at) {
+  return [=](int level, const LatticeBox& box) {
     Lattice<float> densities(box);
     const int side = kSide >> level;
     for (std::size_t k = 0; k < box.count(); ++k) {
       const glm::ivec3 p = box.at(k);
       const std::uint64_t bits = testing::hash_of(seed, level, p);
       const bool is_within = std::min({p.x, p.y, p.z}) >= 2 && std::max({p.x, p.y, p.z}) < side - 2;
-      densities.values()[k] = is_within ? static_cast<float>(bits >> 40) * 0x1p-24F : 0.25F;
+      densities.values()[k] = is_within ? density_at(level, p, bits) : 0.25F;
     }
     return densities;
   };
+}
+
+float any_density(std::uint64_t bits) { return static_cast<float>(bits >> 40) * 0x1p-24F; }
+
+DensitySource random_signs(std::uint64_t seed) {
+  return air_around(seed,
+                    [](int, const glm::ivec3&, std::uint64_t bits) { return any_density(bits); });
+}
+
+// Of the blocks of 64 voxels (of the finest level) a third is air, a third ground, on each level
+// others: nodes without a surface stand beside coarser ones that have one there.
+DensitySource random_blocks(std::uint64_t seed) {
+  return air_around(seed, [seed](int level, const glm::ivec3& p, std::uint64_t bits) {
+    const int shift = 6 - level;
+    const glm::ivec3 block(p.x >> shift, p.y >> shift, p.z >> shift);
+    const std::uint64_t kind = testing::hash_of(seed ^ 5U, level, block) % 3;
+    return kind == 0 ? 0.0F : kind == 1 ? 1.0F : any_density(bits);
+  });
 }
 
 TEST(StackStitching, IsAManifoldWhateverTheSigns) {
@@ -50,6 +69,17 @@ TEST(StackStitching, IsAManifoldWhateverTheSigns) {
   }
   EXPECT_GT(faces, 100000U);
   EXPECT_GT(levels_side_by_side, 8);
+}
+
+TEST(StackStitching, IsAManifoldWhereNodesHaveNoSurfaceOfTheirOwn) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(seed);
+    const Octree octree = testing::random_octree(glm::ivec3(kSide), seed, 3);
+    const JoinedSurface surface =
+        testing::surface_of(octree, random_blocks(seed), {Variant::Conservative});
+    EXPECT_TRUE(testing::check_faces(surface.faces).is_manifold());
+    EXPECT_GT(surface.faces.size(), 1000U);
+  }
 }
 
 // One vertex a cell: closed all the same, but no manifold.
