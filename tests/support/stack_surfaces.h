@@ -9,7 +9,7 @@
 
 #include "mesh/stacks/joined_surface.h"
 #include "mesh/stacks/stacks.h"
-#include "support/quad_mesh_checks.h"
+#include "support/face_checks.h"
 
 namespace plumb::test_support {
 
@@ -86,13 +86,13 @@ inline StackMeshCheck check_stack_mesh(const TriangleMesh& mesh, const terrain::
   };
   StackMeshCheck check;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<int, int>> edges;
-  std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> rings(mesh.vertices_m.size());
+  std::vector<std::vector<testing::FarSide>> rings(mesh.vertices_m.size());
   for (const Triangle& t : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t a = t[k], b = t[(k + 1) % 3];
       auto& [up, down] = edges[std::minmax(a, b)];
       ++(a < b ? up : down);
-      rings[a].emplace_back(b, t[(k + 2) % 3]);
+      rings[a].push_back({a, b, t[(k + 2) % 3]});
     }
     const glm::dvec3 n =
         area_normal(mesh.vertices_m[t[0]], mesh.vertices_m[t[1]], mesh.vertices_m[t[2]]);
@@ -103,7 +103,7 @@ inline StackMeshCheck check_stack_mesh(const TriangleMesh& mesh, const terrain::
     check.crowded += ways.first + ways.second > 2 ? 1 : 0;
   }
   for (std::uint32_t v = 0; v < rings.size(); ++v) {
-    check.torn += !is_rim(v) && !rings[v].empty() && !testing::is_one_ring(rings[v]) ? 1 : 0;
+    check.torn += !is_rim(v) && !rings[v].empty() && !testing::is_one_fan(rings[v], false) ? 1 : 0;
     check.lowest_m = std::min(check.lowest_m, mesh.vertices_m[v].z);
     check.highest_m = std::max(check.highest_m, mesh.vertices_m[v].z);
   }
