@@ -43,7 +43,8 @@ StackField generate_stacks(const std::string& argument) {
   if (!values.makes_stacks())
     input_error("generate:{}: a terrain of heights, expected one of stacks: caves", values.name());
   if (values.text("surface") != "stacks")
-    values.refuse("surface", "stacks, as stacks are asked for");
+    values.refuse("surface", values.text("surface") == "top" ? "stacks, as stacks are asked for"
+                                                             : "stacks or top");
   return make_stacks(values);
 }
 

@@ -204,12 +204,24 @@ TEST(StackSource, TopOfStacksIsATerrainOfHeights) {
 }
 
 TEST(StackSource, RefusesStacksWhereHeightsAreAskedFor) {
-  expect_says(refusal([] { load_terrain("generate:caves?size=9"); }),
+  expect_says(refusal([] { generate("generate:caves?size=9"); }),
               "generate:caves: caves is a terrain of stacks: method stacks draws it; surface=top");
   expect_says(refusal([] { load_terrain("generate:caves?surface=bottom"); }), "stacks or top");
   expect_says(refusal([] { generate_stacks("generate:caves?surface=top"); }),
               "surface 'top': expected stacks");
   expect_says(refusal([] { generate_stacks("generate:alpine"); }), "expected one of stacks: caves");
+}
+
+// A terrain of stacks is the heights of its top surface, with the stacks at hand.
+TEST(StackSource, IsATerrainWithItsStacks) {
+  const Heightfield field = load_terrain("generate:caves?size=9");
+  ASSERT_NE(field.stacks, nullptr);
+  EXPECT_EQ(checksum(*field.stacks), checksum(generate_stacks("generate:caves?size=9")));
+  EXPECT_EQ(field.heights_m, top_surface(*field.stacks).heights_m);
+  ReadOptions top;
+  top.top_surface = true;
+  EXPECT_EQ(load_terrain("generate:caves?size=9", top).stacks, nullptr);
+  EXPECT_EQ(load_terrain("generate:caves?size=9&surface=top").stacks, nullptr);
 }
 
 TEST(StackSource, RefusesWhatDoesNotFit) {
