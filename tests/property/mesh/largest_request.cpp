@@ -33,8 +33,11 @@ std::size_t largest_request() { return largest; }
 
 #ifdef PLUMB_SANITIZED
 
-// A sanitizer has `new` of its own, and must see both ends of what a library asks for.
-#include <sanitizer/allocator_interface.h>
+// A sanitizer has `new` of its own, and must see both ends of what a library asks for. Of its
+// runtime; gcc brings no header for it.
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void*,
+                                                                           std::size_t),
+                                                         void (*on_free)(const volatile void*));
 
 namespace {
 
