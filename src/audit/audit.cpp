@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "audit/audit_input.h"
+#include "audit/cast_and_drawn.h"
 #include "audit/claim_check.h"
 #include "audit/nearest_error.h"
 #include "audit/set_aside.h"
-#include "audit/surface_picture.h"
 #include "core/stopwatch.h"
 
 namespace plumb::audit {
@@ -113,17 +113,7 @@ AuditResult audit_picture(const HeightfieldTruth& truth, HitImage true_hits,
 
 AuditResult audit_surface(const HeightfieldTruth& truth, const DrawnSurface& surface,
                           const Camera& camera, const AuditOptions& options) {
-  Stopwatch watch;
-  HitImage true_hits = truth.caster.cast_frame(camera);
-  const double truth_s = watch.lap_s();
-  SurfacePicture picture = picture_of(surface, camera);
-  const double raster_s = watch.lap_s();
-  AuditResult result = audit_picture(truth, std::move(true_hits), surface, std::move(picture.image),
-                                     camera, options);
-  result.cost.fragments = picture.fragments;
-  result.times.truth_s = truth_s;
-  result.times.raster_s = raster_s;
-  return result;
+  return audit_cast_and_drawn(truth, truth.caster, surface, camera, options);
 }
 
 }  // namespace plumb::audit

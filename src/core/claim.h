@@ -40,10 +40,10 @@ struct Tolerance {
   friend bool operator==(const Tolerance&, const Tolerance&) = default;
 };
 
-const char* name_of(Measure measure);  // "sample-error", "surface-error", "pixel-error", "coverage",
-                                    // "nearest-error"
-const char* name_of(Unit unit);        // "m", "px", ""
-const char* name_of(Scope scope);      // "frame", "patch"
+const char* name_of(Measure measure);  // "sample-error", "surface-error", "pixel-error",
+                                       // "coverage", "nearest-error"
+const char* name_of(Unit unit);    // "m", "px", ""
+const char* name_of(Scope scope);  // "frame", "patch"
 
 /// "1px", "0.5px", "5m". Throws InputError for anything else, negative or not finite numbers
 /// included; its line begins with what the text is `named`.

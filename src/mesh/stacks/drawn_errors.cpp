@@ -10,10 +10,6 @@ namespace plumb::mesh::stacks {
 DrawnErrors::DrawnErrors(const StackDensities& densities, const LevelErrors& levels)
     : densities_(densities), levels_(levels) {}
 
-double DrawnErrors::fine_m(const Node& node) const {
-  return static_cast<double>(1 << node.level) * densities_.field().voxel_m / 64.0;
-}
-
 bool DrawnErrors::is_fitted(const Drawn& drawn, const Node& node) const {
   const NodeError* own = levels_.find(node);
   return drawn.trees.at(node) != (own == nullptr ? nullptr : &own->triangles);
@@ -86,7 +82,7 @@ void DrawnErrors::measure_levels(Drawn& drawn, std::span<const std::uint8_t> wan
     measured[k] = known != measured_.end()
                       ? known->second
                       : distance_bound(levels_.find(asked[k].first)->triangles.triangles(),
-                                       asked[k].second, fine_m(asked[k].first));
+                                       asked[k].second, levels_.fine_m(asked[k].first.level));
   });
   for (std::size_t k = 0; k < asked.size(); ++k) {
     drawn.missed[asked[k].first] = measured[k];
@@ -104,7 +100,8 @@ double DrawnErrors::drawn_to_finest(const Drawn& drawn, const Node& node) const 
     const NodeError* error = levels_.find(beside);
     if (error != nullptr) around = std::max(around, error->to_finest_m);
   });
-  return around + distance_bound(tree->triangles(), levels_.trees_around(node), fine_m(node));
+  return around +
+         distance_bound(tree->triangles(), levels_.trees_around(node), levels_.fine_m(node.level));
 }
 
 std::vector<double> DrawnErrors::bounds_m(const Octree& octree, std::span<const Node> nodes,

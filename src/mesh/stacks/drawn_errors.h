@@ -47,7 +47,6 @@ class DrawnErrors {
   bool is_fitted(const Drawn& drawn, const Node& node) const;
   Asked around(const Drawn& drawn, const Node& node) const;
   void collect(const Drawn& drawn, const Node& node, std::vector<const TriangleTree*>& trees) const;
-  double fine_m(const Node& node) const;
 
   const StackDensities& densities_;
   const LevelErrors& levels_;

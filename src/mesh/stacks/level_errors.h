@@ -36,6 +36,8 @@ class LevelErrors {
   const NodeError* find(const Node& node) const;
   /// The error of a node that has none is zero.
   double worst_m(const Node& node) const;
+  /// A distance below which pieces of a level's surfaces are not cut further: a 64th of its voxel.
+  double fine_m(int level) const;
   /// The trees of the nodes of a level within one of a node, itself included.
   std::vector<const TriangleTree*> trees_around(const Node& node) const;
 
@@ -46,7 +48,6 @@ class LevelErrors {
   double step_to_finer(const Node& node, const NodeError& error) const;
   double step_from_finer(const Node& node) const;
   void sum_up(const std::vector<Node>& nodes, const std::vector<double>& from_finer);
-  double fine_m(int level) const;
 
   const StackDensities* densities_;
   std::vector<Level> levels_;

@@ -14,13 +14,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double distance_m(const Camera& camera, const Box& box) {
-  double squared = 0.0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double away =
-        std::max({box.low[axis] - camera.eye_m[axis], camera.eye_m[axis] - box.high[axis], 0.0});
-    squared += away * away;
-  }
-  return std::sqrt(squared);
+  return std::sqrt(squared_distance(camera.eye_m, box));
 }
 
 double edge_m(const StackDensities& densities, const Node& node) {

@@ -12,15 +12,6 @@ constexpr std::uint32_t kLeaf = 8;
 
 double squared(const glm::dvec3& v) { return glm::dot(v, v); }
 
-double squared_distance(const glm::dvec3& point, const Box& box) {
-  double sum = 0.0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double away = std::max({box.low[axis] - point[axis], point[axis] - box.high[axis], 0.0});
-    sum += away * away;
-  }
-  return sum;
-}
-
 double squared_distance_to_edge(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b) {
   const glm::dvec3 along = b - a;
   const double length = squared(along);
@@ -35,6 +26,15 @@ Box box_of(const Corners& triangle) {
 }
 
 }  // namespace
+
+double squared_distance(const glm::dvec3& point, const Box& box) {
+  double sum = 0.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double away = std::max({box.low[axis] - point[axis], point[axis] - box.high[axis], 0.0});
+    sum += away * away;
+  }
+  return sum;
+}
 
 double squared_distance(const glm::dvec3& point, const Corners& triangle) {
   const auto& [a, b, c] = triangle;

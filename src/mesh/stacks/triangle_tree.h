@@ -17,6 +17,9 @@ using Corners = std::array<glm::dvec3, 3>;
 /// The squared distance from a point to a triangle, its inside, edges and corners.
 double squared_distance(const glm::dvec3& point, const Corners& triangle);
 
+/// And to a box, its inside counted as zero.
+double squared_distance(const glm::dvec3& point, const Box& box);
+
 struct NearestTriangle {
   double squared = std::numeric_limits<double>::infinity();
   const Corners* triangle = nullptr;  // null: none nearer than what was asked for

@@ -16,12 +16,15 @@
 #include "mesh/patch_quadtree/coded_terrain.h"
 #include "mesh/patch_quadtree/container_header.h"
 #include "property/mesh/largest_request.h"
+#include "support/harmed_bytes.h"
 #include "support/random_scene.h"
 #include "terrain/terrain_source.h"
 
 namespace plumb::mesh::patch_quadtree {
 namespace {
 
+using test_support::harm;
+using test_support::other_byte;
 using test_support::Random;
 
 constexpr CodecVersion kVersions[] = {CodecVersion::Published, CodecVersion::Modelled};
@@ -75,31 +78,6 @@ Outcome outcome_of(Bytes bytes) {
   const Outcome outcome = read_all(std::move(bytes));
   EXPECT_LT(test_support::largest_request(), std::size_t{1} << 20);
   return outcome;
-}
-
-std::uint8_t other_byte(Random& random, std::uint8_t byte) {
-  return static_cast<std::uint8_t>(byte ^ random.integer(1, 255));
-}
-
-// A few bytes replaced, removed or put in.
-void harm(Random& random, Bytes& bytes) {
-  for (int k = random.integer(1, 4); k > 0 && !bytes.empty(); --k) {
-    const int at = random.integer(0, static_cast<int>(bytes.size()) - 1);
-    switch (random.integer(0, 9)) {
-      case 0:
-        bytes.resize(static_cast<std::size_t>(at));
-        break;
-      case 1:
-        bytes.insert(bytes.begin() + at, static_cast<std::uint8_t>(random.integer(0, 255)));
-        break;
-      case 2:
-        std::fill(bytes.begin() + at, bytes.end(), std::uint8_t{255});
-        break;
-      default:
-        bytes[static_cast<std::size_t>(at)] =
-            other_byte(random, bytes[static_cast<std::size_t>(at)]);
-    }
-  }
 }
 
 // The file with bytes of its header at `at` (from the header's begin) replaced, and a checksum that

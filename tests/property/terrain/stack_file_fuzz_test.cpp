@@ -14,6 +14,7 @@
 #include "core/little_endian.h"
 #include "core/parallel.h"
 #include "property/mesh/largest_request.h"
+#include "support/harmed_bytes.h"
 #include "support/random_scene.h"
 #include "terrain/stacks/stack_file.h"
 #include "terrain/stacks/stack_file_header.h"
@@ -21,6 +22,8 @@
 namespace plumb::terrain {
 namespace {
 
+using test_support::harm;
+using test_support::other_byte;
 using test_support::Random;
 
 // A height in [-50, 200] m: anything, whole metres, or voxels.
@@ -150,10 +153,6 @@ Outcome outcome_of(const Bytes& file) {
   return outcome;
 }
 
-std::uint8_t other_byte(Random& random, std::uint8_t byte) {
-  return static_cast<std::uint8_t>(byte ^ random.integer(1, 255));
-}
-
 // A file of several blocks, as its parts.
 struct Sample {
   StackFileHeader header;
@@ -211,27 +210,6 @@ TEST_F(StackFileFuzz, TellsEveryByteThatIsChangedAndEveryTruncation) {
       ASSERT_EQ(outcome_of(harmed), Outcome::Told) << "byte " << at;
       harmed.resize(at);
       ASSERT_EQ(outcome_of(harmed), Outcome::Told) << at << " bytes";
-    }
-  }
-}
-
-// A few bytes replaced, removed or put in.
-void harm(Random& random, Bytes& bytes) {
-  for (int k = random.integer(1, 4); k > 0 && !bytes.empty(); --k) {
-    const int at = random.integer(0, static_cast<int>(bytes.size()) - 1);
-    switch (random.integer(0, 9)) {
-      case 0:
-        bytes.resize(static_cast<std::size_t>(at));
-        break;
-      case 1:
-        bytes.insert(bytes.begin() + at, static_cast<std::uint8_t>(random.integer(0, 255)));
-        break;
-      case 2:
-        std::fill(bytes.begin() + at, bytes.end(), std::uint8_t{255});
-        break;
-      default:
-        bytes[static_cast<std::size_t>(at)] =
-            other_byte(random, bytes[static_cast<std::size_t>(at)]);
     }
   }
 }
