@@ -7,6 +7,7 @@
 
 #include "audit/method.h"
 #include "audit/stability/failure_scene.h"
+#include "audit/stability/gallery_page.h"
 #include "audit/stability/gallery_text.h"
 #include "audit/stability/run_scene.h"
 #include "command.h"
@@ -65,12 +66,6 @@ int list_scenes(const std::vector<Chosen>& chosen) {
   return 0;
 }
 
-std::string summary(const std::vector<SceneRun>& runs) {
-  const auto expected = std::count_if(runs.begin(), runs.end(),
-                                      [](const SceneRun& run) { return run.is_as_expected(); });
-  return fmt::format("{} of {} scenes are as expected.", expected, runs.size());
-}
-
 // What was stated, and what came, of each that is not as expected.
 std::string surprises(const std::vector<SceneRun>& runs) {
   std::string text;
@@ -122,11 +117,17 @@ int run_stability(const StabilityOptions& options) {
                               each.scene->name, each.method));
     runs.push_back(run_scene(*each.scene, each.method, !options.output.empty()));
   }
+  if (!options.output.empty()) {
+    progress.step("writing the page");
+    audit::stability::write_gallery_page(options.output, runs);
+  }
   progress.finish();
   if (options.json) {
     std::cout << gallery_json(runs, command_of(options));
   } else {
-    std::cout << table_of(runs) << "\n" << surprises(runs) << summary(runs) << "\n";
+    std::cout << table_of(runs) << "\n" << surprises(runs) << summary_text(runs) << "\n";
+    if (!options.output.empty())
+      std::cout << "written to " << options.output << ": failures.html failures.md figures\n";
   }
   const bool all = std::all_of(runs.begin(), runs.end(),
                                [](const SceneRun& run) { return run.is_as_expected(); });

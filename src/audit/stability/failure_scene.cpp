@@ -26,12 +26,16 @@ const char* name_of(Reading reading) {
       return "t-junctions";
     case Reading::NonManifold:
       return "non-manifold";
+    case Reading::Folded:
+      return "folded";
     case Reading::LevelJump:
       return "level-jump";
     case Reading::Triangles:
       return "triangles";
-    case Reading::LostHeight:
-      return "lost-height";
+    case Reading::TopError:
+      return "top-error";
+    case Reading::ColourError:
+      return "colour-error";
   }
   return "";
 }
@@ -44,7 +48,7 @@ Unit unit_of(Reading reading, Unit asked) {
     case Reading::SampleError:
     case Reading::SurfaceError:
       return asked;
-    case Reading::LostHeight:
+    case Reading::TopError:
       return Unit::Metre;
     default:
       return Unit::Count;

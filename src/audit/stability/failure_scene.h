@@ -26,9 +26,11 @@ enum class Reading {
   OpenEdges,     // of the drawn mesh, where none should be
   TJunctions,
   NonManifold,  // edges and vertices
+  Folded,       // triangles
   LevelJump,    // largest between triangles that share an edge
   Triangles,    // drawn
-  LostHeight,   // by which the drawn surface stays below the highest point of the terrain, m
+  TopError,     // farthest of a stack's, or a sample's, top from the highest surface drawn there, m
+  ColourError,  // farthest that a colour of a pixel is from the truth's, of 1
 };
 
 const char* name_of(Reading reading);  // with hyphens; a claim's label, where there is such a claim
@@ -51,7 +53,7 @@ Expected breaks(Reading reading, double least);
 /// No claim is broken that is made, and yet the reading reaches `least`: nothing is claimed of it.
 Expected strays(Reading reading, double least,
                 double most = std::numeric_limits<double>::infinity());
-/// An InputError whose line holds `text`.
+/// Not drawn: the one line of an InputError or a std::invalid_argument holds `text`.
 Expected refused(const std::string& text);
 /// Whatever it is, no number is NaN.
 Expected sound();
@@ -66,10 +68,14 @@ struct Scene {
   LookAt camera;
   std::vector<LookAt> before = {};  // frames that are shown first
   Tolerance tolerance = {};
+  std::optional<Tolerance> size = {};  // the published variant's, where that is a size, no error
   std::map<std::string, std::string> parameters = {};
+  /// What stands for the published variant of a method that has none; null: nothing does.
+  std::function<DrawnSurface(const terrain::Heightfield&, const Tolerance&)> as_printed = {};
   std::optional<Expected> published = {};  // nothing: the method has no such variant
   std::optional<Expected> conservative = {};
   std::map<std::string, Expected> otherwise = {};  // by method, in place of both
+  bool is_degenerate = false;                      // input that is hardly any: no pictures
 };
 
 /// Every scene, those of a method together, degenerate input last; names are unique.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -56,6 +57,16 @@ Json camera_json(const LookAt& camera) {
 }
 
 }  // namespace
+
+std::string number_text(const SceneRun& run, const Expected& expected, double value) {
+  return number(*run.scene, expected, value);
+}
+
+std::string summary_text(const std::vector<SceneRun>& runs) {
+  const auto expected = std::count_if(runs.begin(), runs.end(),
+                                      [](const SceneRun& run) { return run.is_as_expected(); });
+  return fmt::format("{} of {} scenes are as expected.", expected, runs.size());
+}
 
 std::string measured_text(const SceneRun& run, const std::optional<VariantRun>& variant,
                           const std::optional<Expected>& expected) {

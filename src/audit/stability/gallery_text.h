@@ -1,6 +1,7 @@
 // What was found in scenes as cells of a table and as JSON.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,11 @@ std::string claimed_text(const SceneRun& run, const std::optional<VariantRun>& v
                          const std::optional<Expected>& expected);
 /// What was stated: "broken, pixel-error at least 2 px".
 std::string expected_text(const Scene& scene, const Expected& expected);
+
+/// A number of the expected reading with its unit: "2.31 px".
+std::string number_text(const SceneRun& run, const Expected& expected, double value);
+/// "61 of 62 scenes are as expected."
+std::string summary_text(const std::vector<SceneRun>& runs);
 
 /// One JSON object, schema "plumb.stability/1", ending in a line feed; infinite and missing numbers
 /// are null.

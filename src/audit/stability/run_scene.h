@@ -13,7 +13,7 @@ namespace plumb::audit::stability {
 
 /// One variant of one method in a scene.
 struct VariantRun {
-  std::string refused = {};  // the line of an InputError; empty: it was drawn
+  std::string refused = {};  // the one line why; empty: it was drawn
   Verdict verdict = Verdict::None;
   std::string sentence = {};             // the verdict in words
   double measured = 0.0;                 // the expected reading
