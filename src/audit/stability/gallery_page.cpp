@@ -41,6 +41,13 @@ void put(report::RgbImage& page, const Panel& panel, int x0) {
   report::draw_text(page, x0, picture.height_px + 3 + report::kTextLineHeight, panel.line, kInk);
 }
 
+std::string scale_text(const SceneRun& run) {
+  const bool of_colours =
+      run.expected_conservative && run.expected_conservative->reading == Reading::ColourError;
+  return of_colours ? "colours apart, times 4"
+                    : fmt::format("yellow: {:g} px", error_scale_px(run.scene->tolerance));
+}
+
 std::vector<Panel> panels_of(const SceneRun& run) {
   std::vector<Panel> panels;
   const auto line = [&](const VariantRun& variant, const Expected& expected) {
@@ -59,7 +66,7 @@ std::vector<Panel> panels_of(const SceneRun& run) {
   if (panels.empty()) return panels;
   const bool of_published = is_drawn(run.published);
   panels.push_back({of_published ? &run.published->error : &run.conservative->error,
-                    of_published ? "error of the first" : "error of it", ""});
+                    of_published ? "error of the first" : "error of it", scale_text(run)});
   return panels;
 }
 
@@ -68,17 +75,39 @@ std::vector<std::uint8_t> bytes_of(const image::Rgb8Image& picture) {
   return {png.begin(), png.end()};
 }
 
+// What a chapter says before its scenes, and what no scene of it shows.
+const char* kOfSlicing =
+    "[Röttger & Ertl 2001]. Slices alone, so that polygons hide nothing; the claim is a pixel of "
+    "error. Not shown by a scene: errata of the printed figures and of the cost formula, which "
+    "change the cost and not the picture; the paper's texture and mesh of different sizes, since "
+    "ours read the same samples.";
+const char* kOfTessellation =
+    "[Yusov & Shevtsov 2011]. Not shown by a scene: misprints of indices and of the matrix's size, "
+    "which nobody can draw.";
+const char* kOfQuadtrees =
+    "[Intel sample 2012; Pajarola 1998; Lindstrom et al. 1996]. The method has no published "
+    "variant "
+    "here: under `published` stand the printed rules of one patch without its flanges, drawn for "
+    "this gallery alone, where there is such a column. Not shown by a scene: the order of "
+    "children, which changes the bits of a file and not the mesh.";
+const char* kOfStacks =
+    "[Löffler, Müller & Schumann 2011]. The published tolerance is the size of a node, and nothing "
+    "is claimed of errors; coverage is claimed of everything that is drawn. Not shown by a scene, "
+    "as the library does not do it: replaced densities without the vertices, nodes of 17 samples, "
+    "normals with the wrong sign, trees out of balance.";
+
 // What methods with a chapter are called there.
 struct Chapter {
   const char* heading;
   std::vector<std::string> methods;
+  const char* note;
 };
 const std::vector<Chapter>& chapters() {
   static const std::vector<Chapter> kChapters{
-      {"Slicing", {"slicing", "hybrid-slicing"}},
-      {"Tessellation and chunks", {"tessellation", "chunked"}},
-      {"Restricted quadtree", {"restricted-quadtree"}},
-      {"Stacks of material", {"stacks"}}};
+      {"Slicing", {"slicing", "hybrid-slicing"}, kOfSlicing},
+      {"Tessellation and chunks", {"tessellation", "chunked"}, kOfTessellation},
+      {"Restricted quadtree", {"restricted-quadtree"}, kOfQuadtrees},
+      {"Stacks of material", {"stacks"}, kOfStacks}};
   return kChapters;
 }
 
@@ -122,7 +151,8 @@ std::string chapter_text(const Chapter& chapter, const std::vector<SceneRun>& ru
     last = run.scene;
   }
   if (rows.empty()) return "";
-  return fmt::format("## {}\n\n{}{}\n{}", chapter.heading, kTableHead, rows, sections);
+  return fmt::format("## {}\n\n{}\n\n{}{}\n{}", chapter.heading, chapter.note, kTableHead, rows,
+                     sections);
 }
 
 std::string degenerate_text(const std::vector<SceneRun>& runs) {
@@ -170,8 +200,8 @@ std::string html_of(const std::vector<SceneRun>& runs) {
   page.add_verdict(all ? report::Verdict::Passes : report::Verdict::Fails, summary_text(runs));
   page.add_table(html_table(runs));
   for (const SceneRun& run : runs) {
+    if (figure_name(run).empty()) continue;
     const image::Rgb8Image picture = scene_picture(run);
-    if (picture.rgb.empty()) continue;
     page.add_heading(run.scene->name + ", " + run.method);
     page.add_paragraph(run.scene->fails);
     if (!run.scene->finding.empty()) page.add_paragraph(run.scene->finding);
@@ -195,7 +225,7 @@ image::Rgb8Image scene_picture(const SceneRun& run) {
 
 std::string figure_name(const SceneRun& run) {
   const auto is_drawn = [](const std::optional<VariantRun>& variant) {
-    return variant && variant->refused.empty();
+    return variant && variant->refused.empty() && variant->verdict != Verdict::None;
   };
   if (run.scene->is_degenerate || (!is_drawn(run.published) && !is_drawn(run.conservative)))
     return "";
@@ -210,8 +240,9 @@ std::string gallery_markdown(const std::vector<SceneRun>& runs) {
       "published rules, and by the conservative ones, which keep what they claim. `plumb "
       "stability` draws and audits all of them and holds what it measures against what is stated "
       "in `src/audit/stability`; `plumb stability NAME -o FOLDER` makes these pictures: "
-      "published, conservative, and the error of the first, its scale ending at the tolerance (or "
-      "at the largest), with holes red, overshoots magenta and see-through cracks orange.\n\n"
+      "published, conservative, and the error of the first, yellow at "
+      "the tolerance (at a pixel where that is in metres) and red beyond it, with holes red, "
+      "overshoots magenta and see-through cracks orange.\n\n"
       "This page is made by `plumb stability -o FOLDER`; a test compares its text with what the "
       "program makes.\n\n";
   for (const Chapter& chapter : chapters()) text += chapter_text(chapter, runs);

@@ -14,7 +14,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string number(const Scene& scene, const Expected& expected, double value) {
-  return with_unit(value, unit_of(expected.reading, scene.tolerance.unit));
+  const Unit unit = unit_of(expected.reading, scene.tolerance.unit);
+  const bool is_whole = unit == Unit::Count && std::isfinite(value) && value == std::floor(value);
+  return is_whole ? fmt::format("{:.0f}", value) : with_unit(value, unit);
 }
 
 Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }

@@ -16,6 +16,11 @@
 #include "terrain/stacks/stack_field.h"
 
 namespace plumb::audit::stability {
+
+double error_scale_px(const Tolerance& tolerance) {
+  return tolerance.unit == Unit::Pixel ? tolerance.value : 1.0;
+}
+
 namespace {
 
 // The truth of either kind of terrain.
@@ -77,8 +82,8 @@ const std::vector<float>& errors_of(const AuditResult& result) {
 }
 
 // Errors, and defects of coverage over them.
-image::Rgb8Image error_picture(const AuditResult& result, double tolerance_px) {
-  image::Rgb8Image picture = error_map(result, errors_of(result), "", tolerance_px).picture;
+image::Rgb8Image error_picture(const AuditResult& result, double scale_px) {
+  image::Rgb8Image picture = error_map(result, errors_of(result), "", scale_px).picture;
   const image::Rgb8Image defects = coverage_picture(result);
   for (std::size_t k = 0; k < result.coverage.defects.size(); ++k) {
     if (result.coverage.defects[k] == DefectKind::None) continue;
@@ -87,6 +92,12 @@ image::Rgb8Image error_picture(const AuditResult& result, double tolerance_px) {
           {defects.rgb[3 * k], defects.rgb[3 * k + 1], defects.rgb[3 * k + 2]});
   }
   return picture;
+}
+
+// Whether how the surface is cut into triangles says more than how it looks.
+bool is_of_triangles(Reading reading) {
+  return reading == Reading::TJunctions || reading == Reading::LevelJump ||
+         reading == Reading::Triangles;
 }
 
 bool meets(const VariantRun& run, const Expected& expected) {
@@ -135,9 +146,16 @@ class Stage {
     run.has_nan = has_nan(result) || std::isnan(run.measured);
     run.cost = result.cost;
     if (!with_pictures_) return;
-    run.drawn = drawn_picture(result, truth.terms(), surface, camera);
-    run.error =
-        error_picture(result, scene_.tolerance.unit == Unit::Pixel ? scene_.tolerance.value : 0.0);
+    show(expected.reading, result, truth.terms(), surface, camera, run);
+  }
+
+  void show(Reading reading, const AuditResult& result, const TruthTerms& truth,
+            const DrawnSurface& surface, const Camera& camera, VariantRun& run) const {
+    const image::Rgb8Image drawn = drawn_picture(result, truth, surface, camera);
+    run.drawn = is_of_triangles(reading) ? triangles_picture(result, surface) : drawn;
+    run.error = reading == Reading::ColourError
+                    ? difference_picture(truth_picture(result, truth, camera), drawn)
+                    : error_picture(result, error_scale_px(scene_.tolerance));
   }
 
   bool is_printed(const std::string& variant) const {

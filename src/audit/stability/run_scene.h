@@ -22,7 +22,9 @@ struct VariantRun {
   bool has_nan = false;                  // a figure of the audit is no number
   bool is_as_expected = false;
   Cost cost;
-  image::Rgb8Image drawn = {}, error = {};  // if asked for; empty if refused
+  /// If asked for; empty if refused. Of readings that count triangles, these are drawn outlined;
+  /// the error is on screen, vertical (of stacks: to the nearest point), but for colours.
+  image::Rgb8Image drawn = {}, error = {};
 };
 
 struct SceneRun {
@@ -36,6 +38,10 @@ struct SceneRun {
            (!conservative || conservative->is_as_expected);
   }
 };
+
+/// Where the scale of a picture of errors ends: at the tolerance, or at a pixel where that is in
+/// metres.
+double error_scale_px(const Tolerance& tolerance);
 
 /// Both variants, as far as the scene expects something of them and the method has them.
 ///

@@ -32,7 +32,7 @@ Scene near_by(const std::string& name, const std::string& fails, Terrain terrain
   scene.methods = {"stacks"};
   scene.fails = fails;
   scene.terrain = std::move(terrain);
-  scene.camera = look({-14, -18, 30}, {9, 9, 5}, 50.0);
+  scene.camera = look({-14, -18, 30}, {9, 9, 5}, 30.0);
   scene.parameters = {{"radius", radius}};
   scene.size = kPaperSize;
   scene.published = published;
@@ -44,7 +44,8 @@ Scene near_by(const std::string& name, const std::string& fails, Terrain terrain
 Scene from_afar(const std::string& name, const std::string& fails, Terrain terrain,
                 const Expected& published, const Expected& conservative) {
   Scene scene = near_by(name, fails, std::move(terrain), published, conservative);
-  scene.camera = look({-60, -90, 90}, {32, 32, 8}, 40.0);
+  scene.camera = look({-60, -90, 90}, {32, 32, 8}, 28.0);
+  scene.parameters = {{"radius", "0"}};
   return scene;
 }
 
@@ -115,7 +116,7 @@ void add_cells(std::vector<Scene>& scenes) {
                            of(8, 16, back_to_back), breaks(Reading::NonManifold, 20),
                            strays(Reading::NonManifold, 0, 0), "0"));
   for (Scene* scene : {&scenes[scenes.size() - 2], &scenes.back()})
-    scene->camera = look({-7, -9, 13}, {3.5, 3.5, 9}, 50.0);
+    scene->camera = look({-7, -9, 12}, {3.5, 3.5, 8}, 40.0);
   scenes.push_back(near_by(
       "particles-and-minimisers-fold",
       "Vertices of neighbouring cells that seek sharp features pass each "
@@ -144,7 +145,7 @@ void add_merging(std::vector<Scene>& scenes) {
   scenes.push_back(from_afar("vote-of-a-sliver",
                              "A millimetre of rock over such rows has a full vote: the next level "
                              "is rock without a gap.",
-                             rows_of(15, 0.001F), breaks(Reading::NearestError, 40.0),
+                             rows_of(15, 0.001F), breaks(Reading::NearestError, 20.0),
                              holds(Reading::NearestError, 1.0)));
   scenes.push_back(from_afar("checkerboard-of-materials",
                              "Two columns of each in every four: nothing dominates, and the first "
@@ -164,6 +165,7 @@ void add_merging(std::vector<Scene>& scenes) {
       "level up, and surfaces shift by half a voxel of each.",
       [] { return terrain::load_terrain("generate:caves?size=129"); },
       breaks(Reading::NearestError, 5.0), holds(Reading::NearestError, 1.0)));
+  scenes.back().parameters = {{"radius", "1"}};
   scenes.back().camera = look({-30, -60, 120}, {64, 64, 50}, 50.0);
   scenes.push_back(from_afar("size-is-no-error",
                              "A node is split by its size on screen: a plain as eagerly as a "
@@ -221,6 +223,7 @@ void add_extremes(std::vector<Scene>& scenes) {
                               }),
                            strays(Reading::TopError, 0.0, 0.0),
                            strays(Reading::TopError, 0.0, 0.0)));
+  scenes.back().camera = look({-14, -18, 44}, {9, 9, 16}, 30.0);
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ void add_heights(std::vector<Scene>& scenes) {
                            "terrain's own diagonals fall "
                            "across: 4 m that no sample knows of.",
                            of(9, 10, 10.0, [](int i, int j) { return 4.0 * std::abs(i - 4 - j); }),
-                           look({40, -60, 120}, {40, 45, 0}, 60.0), with("0.001", "8"),
+                           look({40, -90, 130}, {40, 45, 0}, 40.0), with("0.001", "8"),
                            metres(3.0)));
   scenes.back().published = scenes.back().conservative = holds(Reading::SurfaceError, 0.002);
   scenes.back().finding =
@@ -148,7 +148,7 @@ void add_joints(std::vector<Scene>& scenes) {
 void add_causes(std::vector<Scene>& scenes) {
   const LookAt low = look({480, 480, 160}, {480, 480, 0}, 90.0),
                within = look({480, 480, 120}, {480, 900, 60}, 80.0),
-               small = look({8, -20, 120}, {9, 9, 0}, 60.0);
+               small = look({8, -100, 160}, {8, 8, 30}, 30.0);
   const auto all_but = [](const std::string& cause) {
     Parameters parameters = with("0.05", "16");
     std::string mended;
@@ -188,7 +188,7 @@ void add_causes(std::vector<Scene>& scenes) {
            const bool corner = i % 8 == 0 && j % 8 == 0, middle = i % 8 == 4 && j % 8 == 4;
            return i > 8 && j > 8 ? 90.0 * ((i + j) % 2) : corner ? 0.0 : middle ? 10.0 : -10.0;
          }),
-      small, with("0.001", "16"), metres(12.0), 17.4));
+      look({32, -70, 130}, {32, 32, 16}, 45.0), with("0.001", "16"), metres(12.0), 17.4));
   scenes.push_back(patches("bilinear-patches-drawn-as-triangles",
                            "z = xy/64 is bilinear: to the paper's error every level is exact.",
                            of(65, 65, 1.0, [](int i, int j) { return i * j / 64.0; }), small,
