@@ -55,5 +55,7 @@ Command golden_command();
 Command profile_command();
 Command build_command();
 Command decode_command();
+Command sweep_command();
+Command merge_command();
 
 }  // namespace plumb::tool
