@@ -159,6 +159,9 @@ void add_merging(std::vector<Scene>& scenes) {
       "Nothing is claimed of materials: by the shape alone a plain is right on every level, and "
       "the "
       "conservative variant draws a coarse one too.";
+}
+
+void add_sizes(std::vector<Scene>& scenes) {
   scenes.push_back(from_afar(
       "caves-that-vanish",
       "Caves, slabs and roofs that two of four columns share vanish one "
@@ -184,7 +187,7 @@ void add_merging(std::vector<Scene>& scenes) {
 }
 
 void add_levels(std::vector<Scene>& scenes) {
-  const auto caves = [] { return terrain::load_terrain("generate:caves?size=129&spacing=2"); };
+  const auto caves = [] { return terrain::load_terrain("generate:caves?size=97&spacing=2"); };
   Expected closed = sound();
   closed.reading = Reading::OpenEdges;
   closed.most = 0.0;
@@ -233,6 +236,7 @@ std::vector<Scene> stack_scenes() {
   add_voxels(scenes);
   add_cells(scenes);
   add_merging(scenes);
+  add_sizes(scenes);
   add_levels(scenes);
   add_extremes(scenes);
   return scenes;

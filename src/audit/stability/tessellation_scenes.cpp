@@ -88,6 +88,9 @@ void add_heights(std::vector<Scene>& scenes) {
   scenes.back().finding =
       "Not shown: the quantiser is `floor`, as printed, and right below zero. What breaks is a "
       "patch's bound by its bilinear error, 8000 m higher up too.";
+}
+
+void add_losses(std::vector<Scene>& scenes) {
   scenes.push_back(
       patches("walls-that-decimation-loses", "Walls on odd columns are in no level but the finest.",
               of(65, 65, 10.0, [](int i, int) { return i % 16 == 9 ? 40.0 : 0.0; }),
@@ -147,8 +150,7 @@ void add_joints(std::vector<Scene>& scenes) {
 // The causes that the errata name, each where all others are mended, or where it is the only one.
 void add_causes(std::vector<Scene>& scenes) {
   const LookAt low = look({480, 480, 160}, {480, 480, 0}, 90.0),
-               within = look({480, 480, 120}, {480, 900, 60}, 80.0),
-               small = look({8, -100, 160}, {8, 8, 30}, 30.0);
+               within = look({480, 480, 120}, {480, 900, 60}, 80.0);
   const auto all_but = [](const std::string& cause) {
     Parameters parameters = with("0.05", "16");
     std::string mended;
@@ -180,6 +182,10 @@ void add_causes(std::vector<Scene>& scenes) {
   scenes.push_back(patches("mixed-factors",
                            "A block's error belongs to one factor, and its sides have others.",
                            rough(97, 8), within, with("0.05", "16"), px(2.0), 3.3));
+}
+
+// Over terrains of a few samples, a metre apart.
+void add_small_causes(std::vector<Scene>& scenes) {
   scenes.push_back(patches(
       "thinning-that-is-not-monotone",
       "A factor of 1 passes where 2 does not; beside a finer side the tessellator draws the 2.",
@@ -191,8 +197,9 @@ void add_causes(std::vector<Scene>& scenes) {
       look({32, -70, 130}, {32, 32, 16}, 45.0), with("0.001", "16"), metres(12.0), 17.4));
   scenes.push_back(patches("bilinear-patches-drawn-as-triangles",
                            "z = xy/64 is bilinear: to the paper's error every level is exact.",
-                           of(65, 65, 1.0, [](int i, int j) { return i * j / 64.0; }), small,
-                           with("0.0001", "8"), metres(0.2), 0.249));
+                           of(65, 65, 1.0, [](int i, int j) { return i * j / 64.0; }),
+                           look({8, -100, 160}, {8, 8, 30}, 30.0), with("0.0001", "8"), metres(0.2),
+                           0.249));
 }
 
 }  // namespace
@@ -201,8 +208,10 @@ std::vector<Scene> tessellation_scenes() {
   std::vector<Scene> scenes;
   add_views(scenes);
   add_heights(scenes);
+  add_losses(scenes);
   add_joints(scenes);
   add_causes(scenes);
+  add_small_causes(scenes);
   return scenes;
 }
 
