@@ -59,5 +59,6 @@ Command chart_command();
 Command plan_command();
 Command sweep_command();
 Command merge_command();
+Command stability_command();
 
 }  // namespace plumb::tool
