@@ -76,30 +76,29 @@ report::LinkTable frames_table(const std::string& caption, const std::vector<con
                            {"error, px", true},
                            {"popping, px", true},
                            {"99 %", true},
-                           {"pixels over 1 px", true},
-                           {"flickering pixels", true},
+                           {"over 1 px", true},
+                           {"flickering", true},
                            {"patches", true},
                            {"holes", true},
                            {"triangles", true},
-                           {"fragments", true},
                            {"where it popped most", false, true}},
                           {}};
   const auto optional_number = [](const std::optional<double>& value) {
     return value ? short_number(*value) : std::string("-");
   };
   for (const PathRow* row : rows) {
-    table.rows.push_back({std::to_string(row->frame),
-                          page.addresses[row->frame - 1],
-                          {},
-                          {name_of(row->verdict), short_number(row->error_px),
-                           optional_number(row->popping_px), optional_number(row->popping_p99_px),
-                           row->popping_px ? std::to_string(row->over_1px) : "-",
-                           count_text(row->flicker_pixels), count_text(row->flicker_patches),
-                           std::to_string(row->holes), std::to_string(row->triangles),
-                           std::to_string(row->fragments), row->worst.empty() ? "-" : row->worst},
-                          row->verdict == Verdict::Broken ? report::RowKind::Bad
-                          : row->verdict == Verdict::Held ? report::RowKind::Ok
-                                                          : report::RowKind::Plain});
+    table.rows.push_back(
+        {std::to_string(row->frame),
+         page.addresses[row->frame - 1],
+         {},
+         {name_of(row->verdict), short_number(row->error_px), optional_number(row->popping_px),
+          optional_number(row->popping_p99_px),
+          row->popping_px ? std::to_string(row->over_1px) : "-", count_text(row->flicker_pixels),
+          count_text(row->flicker_patches), std::to_string(row->holes),
+          std::to_string(row->triangles), row->worst.empty() ? "-" : row->worst},
+         row->verdict == Verdict::Broken ? report::RowKind::Bad
+         : row->verdict == Verdict::Held ? report::RowKind::Ok
+                                         : report::RowKind::Plain});
   }
   return table;
 }
@@ -117,16 +116,19 @@ std::vector<const PathRow*> worst_frames(const std::vector<PathRow>& rows, const
   return worst;
 }
 
+std::string drawn_by(const AuditSubject& subject) {
+  return subject.variant.empty() ? subject.method
+                                 : fmt::format("{}, {}", subject.method, subject.variant);
+}
+
 std::vector<report::KeyValue> subject_entries(const PathPage& page, std::size_t frames) {
   const AuditSubject& subject = page.subject;
-  return {
-      {"terrain", subject.field->provenance.source},
-      {"method", subject.variant.empty() ? subject.method
-                                         : fmt::format("{}, {}", subject.method, subject.variant)},
-      {"tolerance", to_text(subject.tolerance)},
-      {"path", fmt::format("{}, {} frames of {} x {} px", subject.camera_name, frames,
-                           subject.camera.width_px, subject.camera.height_px)},
-      {"made again by", subject.command}};
+  return {{"terrain", subject.field->provenance.source},
+          {"method", drawn_by(subject)},
+          {"tolerance", to_text(subject.tolerance)},
+          {"path", fmt::format("{}, {} frames of {} x {} px", subject.camera_name, frames,
+                               subject.camera.width_px, subject.camera.height_px)},
+          {"made again by", subject.command}};
 }
 
 std::string page_title(const AuditSubject& subject) {
@@ -175,9 +177,9 @@ std::string path_sentence(const std::vector<PathRow>& rows) {
                                     [](const PathRow& row) { return flickering(row) > 0; });
   return text + fmt::format(
                     "; levels flicker in {} frame{}, most in frame {}: {} pixels of {} "
-                    "patches.",
+                    "patch{}.",
                     frames, frames == 1 ? "" : "s", flicker->frame, *flicker->flicker_pixels,
-                    *flicker->flicker_patches);
+                    *flicker->flicker_patches, *flicker->flicker_patches == 1 ? "" : "es");
 }
 
 std::string path_chart(const std::vector<PathRow>& rows, const std::string& title,
@@ -210,7 +212,11 @@ std::vector<std::string> write_path_report(const std::filesystem::path& folder,
                                               ? std::optional(page.subject.tolerance.value)
                                               : std::nullopt;
   const std::string title = page_title(page.subject);
-  const std::string chart = path_chart(rows, title, tolerance, page.limit_px);
+  const std::string chart = path_chart(
+      rows,
+      fmt::format("{} at {} along {}, {} frames", drawn_by(page.subject),
+                  to_text(page.subject.tolerance), page.subject.camera_name, rows.size()),
+      tolerance, page.limit_px);
   report::HtmlPage html(title);
   html.add_verdict(page.verdict == Verdict::Held     ? report::Verdict::Held
                    : page.verdict == Verdict::Broken ? report::Verdict::Broken
