@@ -1,4 +1,4 @@
-// What moved between two meshes of any kind: equation (16) of docs/algorithms/ground-truth.md.
+// What moved between two meshes of any kind: equation (17) of docs/algorithms/ground-truth.md.
 #include <algorithm>
 #include <array>
 #include <span>

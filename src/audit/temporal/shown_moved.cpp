@@ -1,4 +1,4 @@
-// What moved between two surfaces that are pictures alone: equation (17) of
+// What moved between two surfaces that are pictures alone: equation (18) of
 // docs/algorithms/ground-truth.md.
 #include <cmath>
 

@@ -9,8 +9,11 @@
 
 #include "audit/apart_on_screen.h"
 #include "audit/method.h"
+#include "audit/solid_audit.h"
+#include "audit/solid_nearest.h"
 #include "audit/temporal/path_watch.h"
 #include "support/test_terrain.h"
+#include "terrain/terrain_source.h"
 
 namespace plumb::audit::temporal {
 namespace {
@@ -118,6 +121,47 @@ TEST_P(PoppingBound, IsTwiceTheToleranceUpToTheCamerasOwnMotion) {
   if (std::string(subject.variant) != "conservative") return;
   EXPECT_GT(tried.popped, 10);
   EXPECT_GT(tried.largest_of_bound, 0.05);  // the bound is no idle one
+}
+
+// Of stacks too, between nearest points, whose errors the audit's own map of the other frame gives:
+// rounding as above.
+TEST(PoppingOfStacks, IsAtMostTheErrorsOfBothFrames) {
+  const terrain::Heightfield field = terrain::load_terrain("generate:caves?size=65&spacing=4");
+  const MethodTable& table = built_in_methods();
+  const Method& method = find_method(table, "stacks");
+  const MeshTruth truth(field, full_detail_of_stacks(table, field));
+  const Tolerance tolerance{16.0, Unit::Pixel};
+  const auto prepared = prepare_method(method, field, {"published", {}}, tolerance);
+  PathWatch watch{TruthTerms(truth)};
+  std::optional<Frame> before;
+  int popped = 0;
+  for (int frame = 0; frame < 6; ++frame) {
+    LookAt look;
+    look.eye_m = {128.0, -60.0, 100.0 + 9000.0 / (1 << frame)};
+    look.target_m = {128.0, 128.0, 60.0};
+    look.width_px = 120;
+    look.height_px = 68;
+    const Camera camera = make_camera(look);
+    const DrawnSurface surface = prepared->draw(camera, tolerance);
+    const AuditResult audited = audit_surface(truth, surface, camera);
+    const FrameChange change = watch.next(surface, camera, audited);
+    if (before) {
+      const TriangleMesh& mesh = *before->surface().mesh;
+      const std::optional<reference::MeshNearest> nearest(mesh);
+      const NearestMaps was =
+          nearest_maps(audited.true_hits, camera, {mesh, nearest, truth.slack_m()},
+                       std::vector<std::uint32_t>(audited.true_hits.size(), kNoPrimitive));
+      for (std::size_t pixel = 0; pixel < was.px.size(); ++pixel) {
+        if (std::isnan(change.popping->px[pixel])) continue;
+        popped += change.popping->px[pixel] > 0.01f;
+        EXPECT_LE(change.popping->px[pixel],
+                  was.px[pixel] + audited.nearest.reverse_px[pixel] + 1e-5)
+            << frame << " " << pixel;
+      }
+    }
+    before.emplace(surface, camera);
+  }
+  EXPECT_GT(popped, 100);
 }
 
 INSTANTIATE_TEST_SUITE_P(
