@@ -30,11 +30,11 @@ terrain::Heightfield flat_ground() {
   return field;
 }
 
-// 100 x 100 pixels straight down from 100 m over (x, 40): 50 pixels a unit at depth one, so that
+// 100 x 100 pixels straight down from 100 m over (x, y): 50 pixels a unit at depth one, so that
 // the ground has two metres a pixel. From over its middle it covers 40 x 40 pixels, 30..69.
-Camera from_above(double x_m = 40.0, double height_m = 100.0) {
+Camera from_above(double x_m = 40.0, double height_m = 100.0, double y_m = 40.0) {
   LookAt look;
-  look.eye_m = flat_ground().world_origin_m() + glm::dvec3(x_m, 40.0, height_m);
+  look.eye_m = flat_ground().world_origin_m() + glm::dvec3(x_m, y_m, height_m);
   look.target_m = look.eye_m - glm::dvec3(0.0, 0.0, height_m);
   look.width_px = look.height_px = 100;
   look.fov_y_deg = 90.0;
@@ -143,10 +143,18 @@ TEST(FrameChange, IsNoneBetweenTwoWaysToWriteAMesh) {
   EXPECT_EQ(change.popping->pixels.max, 0.0);
 }
 
-// From over x = -60 the ground up to x = 40 is in view, its western half: 20 x 40 pixels.
+// From over x = -60 the ground up to x = 40 is in view, its western half: 20 x 40 pixels. So it is
+// with the other halves from the other sides.
 TEST_F(FrameChanges, AreNotMeasuredWhereTheFrameBeforeDidNotLook) {
-  const FrameChange change = between({drawn(0.0), from_above(-60.0)}, {drawn(20.0), from_above()});
-  EXPECT_EQ(change.popping->pixels.count, 800);
+  for (const Camera& aside : {from_above(-60.0), from_above(140.0), from_above(40.0, 100.0, -60.0),
+                              from_above(40.0, 100.0, 140.0)}) {
+    const FrameChange change = between({drawn(0.0), aside}, {drawn(20.0), from_above()});
+    EXPECT_EQ(change.popping->pixels.count, 800) << aside.eye_m.x << " " << aside.eye_m.y;
+  }
+  Camera short_sighted = from_above();
+  short_sighted.far_m = 99.0;
+  const FrameChange change = between({drawn(0.0), short_sighted}, {drawn(20.0), from_above()});
+  EXPECT_EQ(change.popping->pixels.count, 0);
 }
 
 // One triangle of 10 m by 10 m / 2 covers some of 5 x 5 pixels' centres.
