@@ -23,16 +23,23 @@ HitImage cast_truth(const TruthTerms& truth, const Camera& camera) {
 }
 
 AuditResult audit_frame(const TruthTerms& truth, HitImage true_hits, const DrawnSurface& surface,
-                        const Camera& camera, const AuditOptions& options) {
-  Stopwatch watch;
-  SurfacePicture picture = picture_of(surface, camera);
-  const double raster_s = watch.lap_s();
+                        SurfacePicture picture, const Camera& camera, const AuditOptions& options) {
   AuditResult result = truth.mesh() != nullptr
                            ? audit_picture(*truth.mesh(), std::move(true_hits), surface,
                                            std::move(picture.image), camera, options)
                            : audit_picture(*truth.heights(), std::move(true_hits), surface,
                                            std::move(picture.image), camera, options);
   result.cost.fragments = picture.fragments;
+  return result;
+}
+
+AuditResult audit_frame(const TruthTerms& truth, HitImage true_hits, const DrawnSurface& surface,
+                        const Camera& camera, const AuditOptions& options) {
+  Stopwatch watch;
+  SurfacePicture picture = picture_of(surface, camera);
+  const double raster_s = watch.lap_s();
+  AuditResult result =
+      audit_frame(truth, std::move(true_hits), surface, std::move(picture), camera, options);
   result.times.raster_s = raster_s;
   return result;
 }

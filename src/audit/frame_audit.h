@@ -28,7 +28,12 @@ HitImage cast_truth(const TruthTerms& truth, const Camera& camera);
 AuditResult audit_frame(const TruthTerms& truth, HitImage true_hits, const DrawnSurface& surface,
                         const Camera& camera, const AuditOptions& options);
 
-/// The same with the truth cast, and the time of that filled in.
+/// The same of a surface that is drawn already: `picture` is picture_of(surface, camera). The time
+/// of drawing is left at zero.
+AuditResult audit_frame(const TruthTerms& truth, HitImage true_hits, const DrawnSurface& surface,
+                        SurfacePicture picture, const Camera& camera, const AuditOptions& options);
+
+/// The first with the truth cast, and the time of that filled in.
 AuditResult audit_frame(const TruthTerms& truth, const DrawnSurface& surface, const Camera& camera,
                         const AuditOptions& options);
 

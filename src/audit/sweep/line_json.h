@@ -12,7 +12,7 @@ namespace plumb::audit::sweep {
 struct RunTiming {
   double prepare_wall_s = 0.0, prepare_cpu_s = 0.0;
   int draws = 1;
-  double draw_wall_s = 0.0, draw_cpu_s = 0.0;  // medians
+  double draw_wall_s = 0.0, draw_cpu_s = 0.0;  // medians; of the surface and its picture
   double draw_wall_spread_s = 0.0, draw_cpu_spread_s = 0.0;
   bool shared = true;  // other runs used the machine meanwhile
 };

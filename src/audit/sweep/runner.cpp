@@ -14,6 +14,7 @@
 #include "audit/frame_audit.h"
 #include "audit/frame_memory.h"
 #include "audit/method_truth.h"
+#include "audit/surface_picture.h"
 #include "audit/sweep/line_json.h"
 #include "audit/sweep/run_queue.h"
 #include "audit/sweep/shared_works.h"
@@ -60,8 +61,9 @@ std::string message_of(const std::exception_ptr& failure) {
   }
 }
 
+// What drawing a view took, its picture included, each time.
 struct Draws {
-  std::vector<double> wall_s, cpu_s;
+  std::vector<double> wall_s, cpu_s, raster_s;
 };
 
 double median(std::vector<double> values) {
@@ -154,21 +156,26 @@ class Runner {
     const Camera& camera = plan_.terrains[group.terrain].views[run.view].placed;
     Draws draws;
     DrawnSurface surface;
+    SurfacePicture picture;
     for (int k = 0; k < options_.draws; ++k) {
       // A new start each time: what `plumb audit` makes of this frame alone.
       const std::unique_ptr<MethodRun> frames = prepared.method->start();
       Stopwatch watch;
       const double cpu_s = thread_cpu_s();
       surface = frames->step(camera, run.tolerance);
+      const double step_s = watch.lap_s();
+      picture = picture_of(surface, camera);
       draws.cpu_s.push_back(thread_cpu_s() - cpu_s);
-      draws.wall_s.push_back(watch.lap_s());
+      draws.raster_s.push_back(watch.lap_s());
+      draws.wall_s.push_back(step_s + draws.raster_s.back());
     }
     const std::shared_ptr<const CastFrame> frame = frame_of(prepared, group, run);
     AuditOptions measures;
     measures.band = band_of(*group.method, group.choice.variant, run.tolerance);
-    AuditResult result =
-        audit_frame(prepared.truth->terms(), frame->hits, surface, camera, measures);
+    AuditResult result = audit_frame(prepared.truth->terms(), frame->hits, surface,
+                                     std::move(picture), camera, measures);
     result.times.truth_s = frame->cast_s;
+    result.times.raster_s = median(draws.raster_s);
     return done_line(
         plan_, index, result,
         {prepared.wall_s, prepared.cpu_s, options_.draws, median(draws.wall_s), median(draws.cpu_s),

@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <thread>
 
+#include "audit/surface_picture.h"
 #include "audit/sweep/result_file.h"
 #include "audit/sweep/shared_works.h"
 #include "unit/audit/small_sweeps.h"
@@ -71,6 +75,34 @@ height = 9)",
   EXPECT_EQ(lines[1].error, "thirteen is no tolerance");
   EXPECT_EQ(lines[2].status, "done");
   for (std::size_t k = 3; k < 6; ++k) EXPECT_EQ(lines[k].error, "not today");
+}
+
+// A painter that sleeps 50 ms: no machine does it faster, and none computes meanwhile.
+TEST(SweepRunner, CountsThePictureIntoTheTimeOfDrawing) {
+  MethodTable table = small_methods();
+  const auto exact = table[0].prepare;
+  table[0].prepare = [exact](const terrain::Heightfield& field, const MethodChoice& choice) {
+    return adapt(std::shared_ptr<PreparedMethod>(exact(field, choice)),
+                 [](const auto& made, const Camera& camera, const Tolerance& tolerance) {
+                   DrawnSurface slow = made->draw(camera, tolerance);
+                   slow.painter = [mesh = DrawnSurface(slow)](const Camera& seen_by) {
+                     std::this_thread::sleep_for(std::chrono::milliseconds(50));
+                     return picture_of(mesh, seen_by);
+                   };
+                   slow.patches.resize(slow.mesh->triangles.size());
+                   slow.claims.clear();
+                   slow.mesh = nullptr;
+                   return slow;
+                 });
+  };
+  const SweepPlan plan = small_plan(kSmallSweep, table);
+  const auto line = nlohmann::json::parse(lines_of(plan, {0}, table, {.draws = 2}).at(0));
+  ASSERT_EQ(line.at("status"), "done") << line;
+  const auto& timing = line.at("timing");
+  EXPECT_GE(timing.at("raster_s").get<double>(), 0.05);
+  EXPECT_GE(timing.at("draw").at("wall_s").get<double>(), timing.at("raster_s").get<double>());
+  EXPECT_LT(timing.at("draw").at("cpu_s").get<double>(),
+            timing.at("draw").at("wall_s").get<double>());
 }
 
 TEST(SweepRunner, StopsWhereLinesCannotBeKept) {
