@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "audit/coverage_parts.h"
+#include "audit/rays_around.h"
 #include "core/screen_error.h"
 
 namespace plumb::audit {
 namespace {
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr glm::dvec3 kUp{0.0, 0.0, 1.0};
 
 // Looks again, between the pixels, at what the pixels' centres hold against a picture.
@@ -19,10 +22,10 @@ class SecondLook {
       : truth_(truth),
         true_hits_(true_hits),
         drawn_(drawn),
-        camera_(camera),
         local_(relative_to(camera, truth.field().world_origin_m())),
         band_(band),
         walk_(truth, camera, band),
+        rays_(truth, camera),
         radius_(radius),
         drawn_around_(neighbourhoods(drawn, radius + 1)) {}
 
@@ -35,15 +38,12 @@ class SecondLook {
                           (hit ? drawn_around_[pixel].all_hit() : drawn_around_[pixel].all_miss());
     if (n.all_hit() && !hit) {
       if (at_large) return DefectKind::Hole;
-      const bool sky = any_ray_near(x, y, true_hits_.from_eye_m[pixel],
-                                    [](const reference::RayHit& ray) { return !ray; });
+      const bool sky = rays_.any_passes(x, y, reach_at(true_hits_.from_eye_m[pixel]), kInfinity);
       return sky || may_pass(pixel, beyond(pixel)) ? DefectKind::None : DefectKind::Hole;
     }
     if (n.all_miss() && hit) {
       if (at_large) return DefectKind::Overshoot;
-      const bool land =
-          any_ray_near(x, y, drawn_.from_eye_m[pixel],
-                       [](const reference::RayHit& ray) { return static_cast<bool>(ray); });
+      const bool land = rays_.any_hits(x, y, reach_at(drawn_.from_eye_m[pixel]));
       return land ? DefectKind::None : DefectKind::Overshoot;
     }
     return hit && n.all_hit() && is_seen_through(x, y, n) ? DefectKind::SeeThrough
@@ -57,9 +57,8 @@ class SecondLook {
     if (depth <= n.deepest * (1.0 + kSameDepth)) return false;
     if (counterpart_is_visible(local_.eye_m + drawn_.from_eye_m[pixel])) return false;
     if (may_pass(pixel, local_.eye_m + drawn_.from_eye_m[pixel])) return false;
-    return !any_ray_near(x, y, true_hits_.from_eye_m[pixel], [&](const reference::RayHit& ray) {
-      return !ray || ray.t >= depth * (1.0 - kNearlySameDepth);
-    });
+    return !rays_.any_passes(x, y, reach_at(true_hits_.from_eye_m[pixel]),
+                             depth * (1.0 - kNearlySameDepth));
   }
 
   // True if a surface that keeps to the band may let the pixel's ray pass, where the truth does
@@ -80,17 +79,13 @@ class SecondLook {
     return local_.eye_m + ray * (across > 0.0 ? 1.0 + extent / across : 1.0);
   }
 
-  // Casts truth rays around a pixel, as far as the surface may have moved there, until one is as
-  // wanted.
-  template <class Wanted>
-  bool any_ray_near(int x, int y, const glm::dvec3& from_eye_m, const Wanted& wanted) const {
-    double reach = radius_;
-    if (band_.metres > 0.0) {
-      const double moved =
-          screen_displacement_px(local_, local_.eye_m + from_eye_m, kUp, band_.metres);
-      reach = std::clamp(std::ceil(moved) + 1.0, reach, static_cast<double>(kMostReach));
-    }
-    return any_ray_around(truth_.caster, camera_, x, y, reach, wanted);
+  // How far around a pixel truth rays are cast, pixels: as far as the surface may have moved there.
+  double reach_at(const glm::dvec3& from_eye_m) const {
+    const double reach = radius_;
+    if (!(band_.metres > 0.0)) return reach;
+    const double moved =
+        screen_displacement_px(local_, local_.eye_m + from_eye_m, kUp, band_.metres);
+    return std::clamp(std::ceil(moved) + 1.0, reach, static_cast<double>(kMostReach));
   }
 
   // True if the truth above or below the drawn point is seen from the eye: then the surface is
@@ -109,10 +104,10 @@ class SecondLook {
   const HeightfieldTruth& truth_;
   const HitImage& true_hits_;
   const HitImage& drawn_;
-  const Camera& camera_;
   Camera local_;
   Band band_;
   BandWalk walk_;
+  RaysAround rays_;
   int radius_;
   Neighbourhoods drawn_around_;
 };

@@ -16,17 +16,31 @@ inline constexpr int kMostReach = 64;       // pixels
 inline constexpr double kSameDepth = 1e-6;  // relative; two casts of one point
 inline constexpr double kNearlySameDepth = 1e-3;  // relative; neighbouring rays of one slope
 
-/// Casts truth rays around a pixel, on a square of `reach` pixels each way, until one is as wanted.
+/// Where truth rays go through around a pixel: on a square of `reach` pixels each way.
+struct RayGrid {
+  double width;
+  int rays;  // along each axis
+
+  explicit RayGrid(double reach)
+      : width(2.0 * reach + 1.0),
+        rays(std::min(static_cast<int>(width * kRaysPerPixel), kMostRays)),
+        reach_(reach) {}
+  /// Image point of ray k along an axis, around pixel `at` of it.
+  double place(int at, int k) const { return at - reach_ + (k + 0.5) / rays * width; }
+
+ private:
+  double reach_;
+};
+
+/// Casts truth rays around a pixel until one is as wanted.
 template <class Caster, class Wanted>
 bool any_ray_around(const Caster& caster, const Camera& camera, int x, int y, double reach,
                     const Wanted& wanted) {
-  const double width = 2.0 * reach + 1.0;
-  const int rays = std::min(static_cast<int>(width * kRaysPerPixel), kMostRays);
-  for (int b = 0; b < rays; ++b) {
-    for (int a = 0; a < rays; ++a) {
-      const double px = x - reach + (a + 0.5) / rays * width,
-                   py = y - reach + (b + 0.5) / rays * width;
-      if (wanted(caster.cast(caster.camera_ray(camera, px, py)))) return true;
+  const RayGrid grid(reach);
+  for (int b = 0; b < grid.rays; ++b) {
+    for (int a = 0; a < grid.rays; ++a) {
+      if (wanted(caster.cast(caster.camera_ray(camera, grid.place(x, a), grid.place(y, b)))))
+        return true;
     }
   }
   return false;

@@ -1,5 +1,7 @@
 #include "reference/beam_start.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -76,6 +78,25 @@ Thick thick_ray(const terrain::Heightfield& field, const HeightPyramid& pyramid,
 }
 
 }  // namespace
+
+Beam camera_beam(const Camera& camera, const glm::dvec3& origin_m, double x0, double y0, double x1,
+                 double y1) {
+  // Directions are linear in the point's place: the corners bound them.
+  const glm::dvec3 first = ray_direction(camera, x0, y0);
+  Beam beam{camera.eye_m - origin_m, first, first, camera.near_m, camera.far_m};
+  for (const double y : {y0, y1}) {
+    for (const double x : {x0, x1}) {
+      const glm::dvec3 direction = ray_direction(camera, x, y);
+      beam.low = glm::min(beam.low, direction);
+      beam.high = glm::max(beam.high, direction);
+    }
+  }
+  // More than the roundings of a direction's three sums.
+  const double slack = 1e-15;
+  beam.low -= slack * (glm::abs(beam.low) + glm::abs(camera.forward) + 1.0);
+  beam.high += slack * (glm::abs(beam.high) + glm::abs(camera.forward) + 1.0);
+  return beam;
+}
 
 BeamStart beam_start(const terrain::Heightfield& field, const HeightPyramid& pyramid,
                      const Beam& beam) {

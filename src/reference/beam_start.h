@@ -1,6 +1,7 @@
 // How far all rays of a small part of a picture may go before any of them can meet the surface.
 #pragma once
 
+#include "core/camera.h"
 #include "reference/careful_walk.h"
 #include "reference/height_pyramid.h"
 #include "terrain/heightfield.h"
@@ -13,6 +14,12 @@ struct Beam {
   glm::dvec3 low, high;
   double t_min, t_max;
 };
+
+/// The rays of a camera through the image points of [x0, x1] x [y0, y1].
+///
+/// origin_m  of the terrain, in the camera's coordinates
+Beam camera_beam(const Camera& camera, const glm::dvec3& origin_m, double x0, double y0, double x1,
+                 double y1);
 
 struct BeamStart {
   double t;   // no ray of the beam meets the surface before; +inf: none does at all

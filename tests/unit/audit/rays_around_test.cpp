@@ -1,0 +1,60 @@
+#include "audit/rays_around.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "audit/coverage_parts.h"
+#include "terrain/camera_presets.h"
+#include "terrain/terrain_source.h"
+
+namespace plumb::audit {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Around every third pixel, and at depths before, at and behind what its centre sees: 12 x 12,
+// 36 x 36 and 64 x 64 rays. A void in the last terrain.
+TEST(RaysAround, AnswerAsOneRayAfterAnother) {
+  for (const bool with_void : {false, true}) {
+    terrain::Heightfield field = terrain::load_terrain("generate:alpine?size=65");
+    if (with_void) {
+      for (int k = 20; k < 30; ++k)
+        field.heights_m.floats()(k, 30) = std::numeric_limits<float>::quiet_NaN();
+    }
+    const HeightfieldTruth truth(field, terrain::Diagonal::Alternating);
+    for (const char* preset : {"grazing", "oblique"}) {
+      const Camera camera = make_camera(terrain::preset_camera(field, preset, 24, 15, 40.0));
+      const RaysAround rays(truth, camera);
+      int passing = 0, asked = 0, hitting = 0;
+      for (int y = 0; y < camera.height_px; y += 3) {
+        for (int x = 0; x < camera.width_px; x += 3) {
+          const double centre =
+              truth.caster.cast(truth.caster.camera_ray(camera, x + 0.5, y + 0.5)).t;
+          for (const double reach : {1.0, 4.0, 9.0}) {
+            const auto hits = [](const reference::RayHit& ray) { return static_cast<bool>(ray); };
+            const bool any = any_ray_around(truth.caster, camera, x, y, reach, hits);
+            EXPECT_EQ(rays.any_hits(x, y, reach), any) << x << " " << y << " " << reach;
+            hitting += any;
+            for (const double factor : {0.5, 1.0, 1.5, 4.0, kInfinity}) {
+              const double depth = factor * centre;
+              const bool passes =
+                  any_ray_around(truth.caster, camera, x, y, reach,
+                                 [&](const auto& ray) { return !ray || ray.t >= depth; });
+              EXPECT_EQ(rays.any_passes(x, y, reach, depth), passes)
+                  << x << " " << y << " " << reach << " " << depth;
+              passing += passes;
+              ++asked;
+            }
+          }
+        }
+      }
+      EXPECT_GT(hitting, 0);
+      EXPECT_GT(passing, 0);
+      EXPECT_LT(passing, asked);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace plumb::audit
