@@ -107,6 +107,38 @@ TEST_F(Sweep, HasTheSameBytesOnAnyNumberOfThreads) {
   EXPECT_EQ(untimed(file("one.jsonl")), untimed(file("four.jsonl")));
 }
 
+// Three frames: nothing before the first, no frame before the last but one in the second. What
+// popped is what the audit of the whole path says, and does not depend on who draws what.
+TEST_F(Sweep, MeasuresPoppingAlongAPath) {
+  write_scene(R"(terrains = ["generate:alpine?size=65"]
+methods = ["chunked"]
+tolerances_px = [8]
+cameras = ["top", { preset = "flyover", frames = 3 }]
+width = 64
+height = 36
+)");
+  ASSERT_EQ(sweep("r.jsonl").status, 0);
+  const std::vector<std::string> lines = lines_of(file("r.jsonl"));
+  ASSERT_EQ(lines.size(), 4u);
+  EXPECT_FALSE(Json::parse(lines[0]).contains("popping"));
+  EXPECT_TRUE(Json::parse(lines[1]).at("popping").is_null());
+  const CommandResult whole = run_plumb(
+      {"audit", "generate:alpine?size=65", "--method", "chunked", "--variant", "conservative",
+       "--tolerance", "8px", "--camera", "flyover", "--frames", "3", "--size", "64x36", "--json"});
+  const Json frames = Json::parse(whole.out).at("frames");
+  for (const std::size_t frame : {1u, 2u}) {
+    const Json popping = Json::parse(lines[frame + 1]).at("popping");
+    EXPECT_EQ(popping.at("max_px"), frames.at(frame).at("popping").at("max_px"));
+    const Json& flicker = frames.at(frame).at("flicker");
+    EXPECT_EQ(popping.at("flicker_pixels"), flicker.is_null() ? flicker : flicker.at("pixels"));
+  }
+  ASSERT_EQ(sweep("part.jsonl", {"--shard", "4/4"}).status, 0);
+  const Json part = Json::parse(lines_of(file("part.jsonl")).at(0));
+  const Json same = Json::parse(lines[part.at("index").get<std::size_t>()]);
+  EXPECT_EQ(part.at("asked").at("camera").at("frame"), 3);
+  EXPECT_EQ(part.at("popping"), same.at("popping"));
+}
+
 // Killed again and again, each time a little later, until one gets to the end.
 TEST_F(Sweep, GoesOnWhereItWasKilled) {
   ASSERT_EQ(sweep("whole.jsonl").status, 0);

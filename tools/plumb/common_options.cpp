@@ -102,7 +102,7 @@ std::vector<audit::CameraDescription> cameras_meant(const std::string& text, int
     input_error("--frames {}: it goes with the paths flyover and zoom, not with '{}'", frames,
                 text);
   std::error_code ignored;
-  if (text.starts_with("{")) return {audit::parse_inline_camera(text)};
+  if (text.starts_with("{")) return audit::frames_of(audit::parse_inline_camera(text));
   if (text.ends_with(".toml") || std::filesystem::is_regular_file(text, ignored))
     return audit::read_camera_path(text);
   if (const auto numbers = audit::parse_camera_numbers(text)) return {*numbers};

@@ -76,7 +76,7 @@ std::string asked_text(const SweepPlan& plan, const PlannedRun& run, const std::
 }
 
 std::string done_line(const SweepPlan& plan, std::size_t run, const AuditResult& result,
-                      const RunTiming& timing) {
+                      const std::string& popping, const RunTiming& timing) {
   Json json = head(plan, run, "done");
   json["command"] = command_of(plan, plan.runs[run]);
   json["verdict"] = name_of(result.verdict());
@@ -84,6 +84,7 @@ std::string done_line(const SweepPlan& plan, std::size_t run, const AuditResult&
   json.update(Json::parse(measurements_json(result)));
   const Json worst = Json::parse(offenders_json(result, 1));
   json["worst"] = worst.empty() ? Json(nullptr) : worst.front();
+  if (!popping.empty()) json["popping"] = Json::parse(popping);
   json["timing"] = {
       {"prepare", {{"wall_s", timing.prepare_wall_s}, {"cpu_s", timing.prepare_cpu_s}}},
       {"draw",

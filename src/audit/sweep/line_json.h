@@ -22,8 +22,10 @@ struct RunTiming {
 std::string asked_text(const SweepPlan& plan, const PlannedRun& run, const std::string& version);
 
 /// Lines for the run with this index, each without its line feed.
+///
+/// popping  of a path's frame, temporal::popping_summary_json; else empty
 std::string done_line(const SweepPlan& plan, std::size_t run, const AuditResult& result,
-                      const RunTiming& timing);
+                      const std::string& popping, const RunTiming& timing);
 std::string failed_line(const SweepPlan& plan, std::size_t run, const std::string& error);
 std::string skipped_line(const SweepPlan& plan, std::size_t run);
 

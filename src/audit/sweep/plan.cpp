@@ -29,7 +29,7 @@ PlacedTerrain place(const SweepTerrain& terrain, const SweepScene& scene) {
       try {
         PlacedView view{c, camera.is_path ? static_cast<int>(k) + 1 : 0,
                         place_camera(camera.frames[k], *placed.field).camera};
-        require_frame_memory(view.placed, kAuditBytes);
+        require_frame_memory(view.placed, camera.is_path ? kPathAuditBytes : kAuditBytes);
         placed.views.push_back(view);
       } catch (const InputError& error) {
         input_error("{}: camera {} over {}: {}", camera.where, camera.name, terrain.name,

@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -18,6 +19,8 @@
 #include "audit/sweep/line_json.h"
 #include "audit/sweep/run_queue.h"
 #include "audit/sweep/shared_works.h"
+#include "audit/temporal/frame_change.h"
+#include "audit/temporal/path_json.h"
 #include "core/check.h"
 #include "core/one_thread.h"
 #include "core/stopwatch.h"
@@ -174,12 +177,32 @@ class Runner {
     measures.band = band_of(*group.method, group.choice.variant, run.tolerance);
     AuditResult result = audit_frame(prepared.truth->terms(), frame->hits, surface,
                                      std::move(picture), camera, measures);
+    const std::string popping = popping_of(prepared, run, surface, result, measures.band);
     result.times.truth_s = frame->cast_s;
     result.times.raster_s = median(draws.raster_s);
     return done_line(
-        plan_, index, result,
+        plan_, index, result, popping,
         {prepared.wall_s, prepared.cpu_s, options_.draws, median(draws.wall_s), median(draws.cpu_s),
          spread(draws.wall_s), spread(draws.cpu_s), !options_.timed});
+  }
+
+  // Against the frames before it, which are drawn again, so that it does not matter who draws them
+  // when; empty of a camera that is no path.
+  std::string popping_of(const PreparedGroup& prepared, const PlannedRun& run,
+                         const DrawnSurface& surface, const AuditResult& audited,
+                         const Band& band) const {
+    const std::vector<PlacedView>& views = plan_.terrains[plan_.groups[run.group].terrain].views;
+    const PlacedView& view = views[run.view];
+    if (!plan_.scene.cameras[view.camera].is_path) return "";
+    const auto back = [&](int frames) -> std::optional<temporal::Frame> {
+      if (view.frame <= frames) return std::nullopt;
+      const Camera& camera = views[run.view - static_cast<std::size_t>(frames)].placed;
+      return temporal::Frame(prepared.method->start()->step(camera, run.tolerance), camera);
+    };
+    const std::optional<temporal::Frame> before = back(1), earlier = back(2);
+    return temporal::popping_summary_json(temporal::change_between(
+        prepared.truth->terms(), audited, temporal::Frame(surface, view.placed),
+        before ? &*before : nullptr, earlier ? &*earlier : nullptr, {band}));
   }
 
   std::shared_ptr<const CastFrame> frame_of(const PreparedGroup& prepared, const RunGroup& group,

@@ -12,6 +12,7 @@
 #include "audit/toml_document.h"
 #include "core/check.h"
 #include "terrain/camera_presets.h"
+#include "terrain/path_presets.h"
 
 namespace plumb::audit::sweep {
 namespace {
@@ -132,14 +133,18 @@ void read_only(Draft& draft, const TomlValue& value) {
 
 bool is_preset(const std::string& name) {
   const auto& presets = terrain::preset_help();
-  return std::any_of(presets.begin(), presets.end(), [&](const auto& p) { return p.name == name; });
+  return terrain::is_path_preset(name) ||
+         std::any_of(presets.begin(), presets.end(), [&](const auto& p) { return p.name == name; });
 }
 
 SweepCamera camera_by_name(const Draft& draft, const TomlValue& value) {
   const std::string word = word_in(value);
   SweepCamera camera{word, word, {}, false, value.where};
   if (is_preset(word)) {
-    camera.frames.emplace_back().preset = word;
+    CameraDescription preset;
+    preset.preset = word;
+    camera.frames = frames_of(preset);
+    camera.is_path = camera.frames.size() > 1;
     return camera;
   }
   const std::string path = beside(word, draft.folder);
@@ -148,6 +153,7 @@ SweepCamera camera_by_name(const Draft& draft, const TomlValue& value) {
     std::string presets;
     for (const auto& preset : terrain::preset_help())
       presets += (presets.empty() ? "" : ", ") + preset.name;
+    for (const auto& preset : terrain::path_preset_help()) presets += ", " + preset.name;
     input_error("{}: '{}' is neither a preset ({}) nor a file", value.where, path, presets);
   }
   camera.frames = read_camera_path(path);
@@ -166,10 +172,12 @@ SweepCamera camera_table(const TomlValue& value) {
       rest.push_back(entry);
     }
   }
-  camera.frames = {camera_in(rest, value.where)};
-  if (camera.name.empty()) camera.name = camera.frames.front().preset;
+  const CameraDescription described = camera_in(rest, value.where);
+  camera.frames = frames_of(described);
+  camera.is_path = camera.frames.size() > 1;
+  if (camera.name.empty()) camera.name = described.preset;
   if (camera.name.empty()) input_error("{}: a camera of a sweep needs a name", value.where);
-  camera.argument = inline_toml(camera.frames.front());
+  camera.argument = inline_toml(described);
   return camera;
 }
 

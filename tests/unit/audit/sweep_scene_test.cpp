@@ -148,7 +148,7 @@ TEST(SweepScene, SaysWhatIsWrongAndWhere) {
             "another name");
   EXPECT_EQ(error_of(small + "cameras = [\"obliq\"]"),
             "sweep.toml, line 3: cameras: 'dem/obliq' is neither a preset (oblique, top, grazing, "
-            "valley) nor a file");
+            "valley, flyover, zoom) nor a file");
   EXPECT_EQ(error_of(small + "[parameters.full]\nsize = 3"),
             "sweep.toml, line 4: parameters.full.size: unknown key; method full has none");
   EXPECT_EQ(error_of(small + "[parameters.slicing]\nleaf_cells = 4"),
