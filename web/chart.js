@@ -8,7 +8,7 @@
   const table = read("chart-table");
   const templates = read("chart-templates");
   const costs = Object.fromEntries(table.costs.map((cost) => [cost.key, cost]));
-  const state = { terrain: -1, hidden: [], cost: table.cost };
+  const state = { terrain: -1, hidden: [], cost: table.cost, measure: 0, path: 0, asked: table.first_asked };
   const views = (window.plumbViews = {});
 
   const make = (tag, properties = {}, children = []) => {
@@ -87,6 +87,7 @@
 
   function draw(name) {
     const holder = document.getElementById(`chart-${name}`);
+    if (!holder) return; // the results have nothing for it
     views[name]?.finalize();
     const spec = plumbCharts.fill(templates[name], table, { ...state, ...colours(), wide: wide(holder) });
     delete spec.legends; // the page's own is the filter
@@ -197,7 +198,27 @@
     section.append(bar, legend(), status);
   }
 
+  // The choices of one chart alone, above it.
+  function above(name, ...choices) {
+    document.getElementById(`chart-${name}`)?.before(make("div", { className: "toolbar" }, choices));
+  }
+
+  const numbered = (list, text) => list.map((one, row) => [String(row), text(one)]);
+
+  function ownControls() {
+    const measures = numbered(table.measures, ({ name, unit }) => `${name}, ${unit}`);
+    above("claims", choice("Claim", measures, "0", (value) => change("measure", Number(value))));
+    above(
+      "path",
+      choice("Path", numbered(table.paths, ({ title }) => title), "0", (value) => change("path", Number(value))),
+      choice("Tolerance asked", numbered(table.asked, ({ value, unit }) => `${value} ${unit}`), String(state.asked), (value) =>
+        change("asked", Number(value)),
+      ),
+    );
+  }
+
   controls();
+  ownControls();
   say();
   drawAll();
   dark.addEventListener("change", drawAll);

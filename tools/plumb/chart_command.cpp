@@ -1,6 +1,7 @@
 // plumb chart: what a sweep measured, as a page and as pictures for print.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -8,6 +9,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "audit/chart/chart_data.h"
 #include "audit/chart/chart_page.h"
 #include "chart_print.h"
 #include "child_process.h"
@@ -25,7 +27,7 @@ namespace chart = audit::chart;
 namespace fs = std::filesystem;
 
 struct ChartOptions {
-  std::string results, output;
+  std::string results, output, cost;
   bool json = false;
 };
 
@@ -34,23 +36,47 @@ std::string text_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+std::vector<std::string> cost_names() {
+  std::vector<std::string> names;
+  for (const chart::CostKind& cost : chart::kCosts) names.push_back(cost.key);
+  return names;
+}
+
+// The row of kCosts that is meant.
+std::size_t cost_of(const ChartOptions& options, const chart::RunTable& table) {
+  if (options.cost.empty()) return chart::first_cost(table);
+  const std::vector<std::string> names = cost_names();
+  const auto at = std::find(names.begin(), names.end(), options.cost);
+  const auto cost = static_cast<std::size_t>(at - names.begin());
+  const std::vector<std::size_t> there = chart::costs_there(table);
+  if (std::find(there.begin(), there.end(), cost) == there.end())
+    input_error("--cost {}: no run of '{}' has it", options.cost, options.results);
+  return cost;
+}
+
 // What was written, and what was left out and why.
 struct Written {
   std::vector<std::string> files, left_out;
 };
 
-void write_page(const ChartOptions& options, const Invocation& invocation,
-                const chart::RunTable& table, const std::vector<chart::Setting>& settings,
-                Written& written) {
+chart::PageInput page_input(const ChartOptions& options, const Invocation& invocation,
+                            const chart::RunTable& table,
+                            const std::vector<chart::Setting>& settings) {
   const std::string library = file_of_command("vega.min.js");
-  if (library.empty())
+  return {table,
+          settings,
+          cost_of(options, table),
+          options.results,
+          invocation.command_line(),
+          library.empty() ? "" : text_of(library)};
+}
+
+void write_page(const ChartOptions& options, const chart::PageInput& input, Written& written) {
+  if (input.library.empty())
     written.left_out.push_back(
-        "the page's filters and the choice of cost: vega.min.js is not beside the command (run npm "
-        "ci in web/ and build again)");
-  const std::string page =
-      chart::chart_page({table, settings, options.results, invocation.command_line(),
-                         library.empty() ? "" : text_of(library)});
-  write_file_atomically(fs::path(options.output) / "charts.html", page);
+        "the page's filters and choices: vega.min.js is not beside the command (npm ci "
+        "--ignore-scripts in web/, and build again)");
+  write_file_atomically(fs::path(options.output) / "charts.html", chart::chart_page(input));
   written.files.push_back("charts.html");
 }
 
@@ -87,9 +113,10 @@ int run_chart(const ChartOptions& options, const Invocation& invocation) {
   make_folder(options.output);
   Written written;
   progress.step("drawing the page");
-  write_page(options, invocation, table, settings, written);
+  const chart::PageInput input = page_input(options, invocation, table, settings);
+  write_page(options, input, written);
   progress.step("drawing for print");
-  print_charts(options.output, table, settings, written.files, written.left_out);
+  print_charts(options.output, input, written.files, written.left_out);
   progress.finish();
   print(options, table, written);
   return 0;
@@ -105,6 +132,9 @@ Command chart_command() {
   command.declare = [](Options& options) -> Action {
     const auto values = std::make_shared<ChartOptions>();
     options.argument(values->results, "RESULTS", "What plumb sweep wrote, a .jsonl file");
+    options.choice(values->cost, "--cost", cost_names(),
+                   "What the charts show as cost; the page offers all (draw_cpu_s, or triangles if "
+                   "all times were taken while sharing the machine)");
     options.group("Output");
     add_output_option(options, values->output,
                       "Folder for charts.html and each chart as SVG and PNG");
