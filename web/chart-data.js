@@ -68,13 +68,27 @@ const plumbCharts = (() => {
     return short(value / size) + letter;
   }
 
+  // Lines of at most so many characters, broken at spaces, or behind hyphens where a word is longer.
+  function wrapped(text, most) {
+    const lines = [];
+    for (const word of text.split(" ").flatMap((one) => (one.length > most ? one.split(/(?<=-)/) : [one]))) {
+      const last = lines.at(-1);
+      const joint = last?.endsWith("-") ? "" : " ";
+      if (last !== undefined && (last + joint + word).length <= most) lines[lines.length - 1] = last + joint + word;
+      else lines.push(word);
+    }
+    return lines;
+  }
+
   // What stands in a cell of the grid of winners.
   function words(row, table) {
-    if (row.series < 0) return ["none keeps it"];
-    const { method, name, unit } = table.series[row.series];
-    const lines = [method, name.slice(method.length).trim(), `asked ${short(row.tolerance)} ${unit}: ${compact(row.value)}`];
-    if (row.second >= 0 && row.times > 0) lines.push(`${short(row.times)} × cheaper than`, table.series[row.second].name);
-    return lines.filter(Boolean);
+    const kLine = 19; // as wide as a cell
+    if (row.series < 0) return ["none kept it", "in all views"];
+    const { name, unit } = table.series[row.series];
+    const cost = table.costs.find(({ key }) => key === row.cost);
+    const lines = [...wrapped(name, kLine), `asked ${short(row.tolerance)} ${unit}`, `${compact(row.value)} ${cost.unit}`.trim()];
+    if (row.second >= 0 && row.times > 0) lines.push(`${short(row.times)} × less than`, ...wrapped(table.series[row.second].name, kLine));
+    return lines;
   }
 
   const winners = (table) =>
@@ -129,6 +143,7 @@ const plumbCharts = (() => {
       path: 0,
       paths: table.paths,
       asked: table.first_asked,
+      askedTitles: table.asked.map(({ value, unit }) => `${value} ${unit}`),
       kinds: table.kinds,
       limits: table.limits,
       ...state,

@@ -97,10 +97,21 @@
       if (typeof item?.tooltip === "number") keep(item.tooltip);
     });
     view.run();
+    performance.mark(`drawn ${name}`);
     views[name] = view;
   }
 
-  const drawAll = () => Object.keys(templates).forEach(draw);
+  // The first chart at once, the others one by one behind it, so that the page answers meanwhile.
+  function drawAll() {
+    const names = Object.keys(templates);
+    const next = () => {
+      if (names.length > 0) draw(names.shift());
+      if (names.length > 0) setTimeout(next);
+      else section.dataset.drawn = "all";
+    };
+    delete section.dataset.drawn;
+    next();
+  }
 
   function change(name, value) {
     state[name] = value;

@@ -180,6 +180,7 @@ Json costs_json(const RunTable& table) {
   for (const std::size_t cost : costs_there(table))
     list.push_back({{"key", kCosts[cost].key},
                     {"name", kCosts[cost].name},
+                    {"unit", kCosts[cost].unit},
                     {"time", kCosts[cost].is_time},
                     {"axis", axis_json(cost_axis(table, cost))}});
   return list;

@@ -113,7 +113,7 @@ struct Quantity {
 std::vector<Quantity> quantities(const RunTable& table, std::size_t cost) {
   std::vector<Quantity> list{
       {"Measured error", "pixels", error_axis(table), [](const Run& run) { return run.error_px; }},
-      {kCosts[cost].name, "", cost_axis(table, cost),
+      {kCosts[cost].name, kCosts[cost].unit, cost_axis(table, cost),
        [cost](const Run& run) { return run.costs[cost]; }}};
   if (std::any_of(table.runs.begin(), table.runs.end(),
                   [](const Run& run) { return run.popping_px.has_value(); }))
@@ -138,7 +138,7 @@ std::vector<const Run*> runs_of(const RunTable& table, const CameraPath& path, c
 
 report::PlainCell cell_of(const RunTable& table, const std::vector<SeriesLook>& looks,
                           const Winner& winner) {
-  if (winner.series < 0) return {{"none keeps it"}, ""};
+  if (winner.series < 0) return {{"none kept it", "in all views"}, ""};
   const Series& series = table.series[static_cast<std::size_t>(winner.series)];
   report::PlainCell cell{
       {series.method, series.name.substr(series.method.size()),
