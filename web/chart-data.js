@@ -87,7 +87,7 @@ const plumbCharts = (() => {
     const { name, unit } = table.series[row.series];
     const cost = table.costs.find(({ key }) => key === row.cost);
     const lines = [...wrapped(name, kLine), `asked ${short(row.tolerance)} ${unit}`, `${compact(row.value)} ${cost.unit}`.trim()];
-    if (row.second >= 0 && row.times > 0) lines.push(`${short(row.times)} × less than`, ...wrapped(table.series[row.second].name, kLine));
+    if (row.second >= 0 && row.times > 0) lines.push(row.times < 1.005 ? "hardly less than" : `${short(row.times)} × less than`, ...wrapped(table.series[row.second].name, kLine));
     return lines;
   }
 
