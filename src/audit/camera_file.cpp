@@ -148,6 +148,12 @@ CameraDescription read_camera_file(const std::string& path) {
   return parse_camera_toml(read_text_file(path, "camera file"), path);
 }
 
+CameraDescription parse_inline_camera(const std::string& text) {
+  const TomlTable root = parse_toml("camera = " + text, "--camera");
+  if (root.size() != 1) input_error("--camera '{}': expected one table, {{ ... }}", text);
+  return camera_in(table_in(root.front().value), "--camera");
+}
+
 std::optional<CameraDescription> parse_camera_numbers(const std::string& text) {
   if (text.find(',') == std::string::npos) return std::nullopt;
   std::vector<double> numbers;

@@ -1,15 +1,15 @@
 // plumb audit: how wrong a method's picture is, where, and whether it kept its promise.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iostream>
 #include <memory>
 
 #include "audit/audit.h"
 #include "audit/audit_json.h"
 #include "audit/audit_page.h"
+#include "audit/frame_audit.h"
 #include "audit/frame_memory.h"
-#include "audit/solid_audit.h"
+#include "audit/method_truth.h"
 #include "audit/verdict_text.h"
 #include "audit_text.h"
 #include "audit_truth.h"
@@ -51,10 +51,7 @@ audit::AuditOptions audit_options(const AuditCommandOptions& options,
   audit::AuditOptions result;
   for (const std::string& text : options.limits) result.limits.push_back(audit::parse_limit(text));
   result.nearest = !options.without_nearest;
-  const std::vector<std::string>& sizes = request.method->size_variants;
-  if (std::find(sizes.begin(), sizes.end(), request.variant) != sizes.end()) return result;
-  (request.tolerance.unit == Unit::Pixel ? result.band.pixels : result.band.metres) =
-      request.tolerance.value;
+  result.band = audit::band_of(*request.method, request.variant, request.tolerance);
   return result;
 }
 
@@ -113,13 +110,6 @@ AuditResult audit_depth(Run& run, const Camera& camera) {
   return result;
 }
 
-AuditResult audit_drawn(const Run& run, const Camera& camera) {
-  const DrawnSurface& surface = run.drawn.surface;
-  return run.truth.mesh() != nullptr
-             ? audit::audit_surface(*run.truth.mesh(), surface, camera, run.measures)
-             : audit::audit_surface(*run.truth.heights(), surface, camera, run.measures);
-}
-
 Audited audit_frame(Run& run, const Camera& camera, const std::string& frame) {
   const std::string where = frame.empty() ? "" : frame + ": ";
   if (run.prepared) {
@@ -130,7 +120,8 @@ Audited audit_frame(Run& run, const Camera& camera, const std::string& frame) {
   }
   run.progress.step(where + "casting the truth and measuring");
   const bool is_depth = run.options.stranger.is_depth();
-  Audited audited{is_depth ? audit_depth(run, camera) : audit_drawn(run, camera),
+  Audited audited{is_depth ? audit_depth(run, camera)
+                           : audit::audit_frame(run.truth, run.drawn.surface, camera, run.measures),
                   {&run.field, run.diagonal, run.request.method->name, run.request.variant,
                    run.request.choice.parameters, run.request.tolerance, camera,
                    run.options.camera.camera, run.invocation.command_line(), run.drawn.assumptions,
@@ -256,11 +247,12 @@ int run_audit(const AuditCommandOptions& options, const Invocation& invocation) 
                                          : terrain::parse_diagonal(options.terrain.diagonal);
   require_fitting(options.terrain, options.stranger, request, field);
   if (field.stacks != nullptr) progress.step("making the truth");
-  const AuditTruth truth(field, diagonal, request);
+  const audit::MethodTruth truth(field, diagonal, audit::built_in_methods(), request.method,
+                                 request.choice);
   Run run{options,       invocation, request, measures, field, diagonal,
           truth.terms(), progress,   nullptr, nullptr,  {}};
   prepare(run, frames.front());
-  for (std::string& line : truth.assumptions(request, options.stranger.is_given()))
+  for (std::string& line : assumptions(run.truth, request, options.stranger.is_given()))
     run.drawn.assumptions.push_back(std::move(line));
   return frames.size() == 1 ? audit_one(run, frames.front()) : audit_path(run, frames);
 }

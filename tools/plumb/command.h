@@ -55,6 +55,8 @@ Command golden_command();
 Command profile_command();
 Command build_command();
 Command decode_command();
+Command sweep_command();
+Command merge_command();
 Command chart_command();
 
 }  // namespace plumb::tool

@@ -81,8 +81,8 @@ void add_camera_options(Options& options, CameraOptions& camera) {
   options.group("Camera");
   options.text(camera.camera, "--camera", "CAMERA",
                "A preset (" + presets +
-                   "), a TOML file (a camera, or a path of them), or the numbers "
-                   "ex,ey,ez,tx,ty,tz[,fov] (oblique)");
+                   "), a TOML file (a camera, or a path of them), such a camera as an inline table "
+                   "'{ ... }', or the numbers ex,ey,ez,tx,ty,tz[,fov] (oblique)");
   options.text(camera.size, "--size", "WxH", "Size of the image in pixels (1920x1080)");
   options.number(camera.fov_y_deg, "--fov", "DEG", "Vertical field of view (50)");
   options.number(camera.tilt_deg, "--tilt", "DEG",
@@ -94,6 +94,7 @@ namespace {
 
 std::vector<audit::CameraDescription> cameras_meant(const std::string& text) {
   std::error_code ignored;
+  if (text.starts_with("{")) return {audit::parse_inline_camera(text)};
   if (text.ends_with(".toml") || std::filesystem::is_regular_file(text, ignored))
     return audit::read_camera_path(text);
   if (const auto numbers = audit::parse_camera_numbers(text)) return {*numbers};

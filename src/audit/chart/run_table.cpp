@@ -10,6 +10,7 @@
 #include <set>
 #include <tuple>
 
+#include "audit/sweep/result_file.h"
 #include "core/check.h"
 
 namespace plumb::audit::chart {
@@ -123,7 +124,8 @@ class Names {
 
 class Reader {
  public:
-  void add(const json& line) {
+  /// `run` names it for people.
+  void add(const json& line, const std::string& run) {
     const json& asked = line.at("asked");
     if (!keys_.insert(line.at("key").get<std::string>()).second) {
       ++table_.repeated;
@@ -136,7 +138,7 @@ class Reader {
     } else if (status == "failed" || status == "skipped") {
       const bool skipped = status == "skipped";
       (skipped ? table_.skipped : table_.failed)
-          .push_back({words_of(asked), line.value("error", "no reason given"), skipped});
+          .push_back({run, line.value("error", "no reason given"), skipped});
     } else {
       input_error("the status '{}' is none of done, failed and skipped", status);
     }
@@ -150,18 +152,6 @@ class Reader {
   }
 
  private:
-  static std::string words_of(const json& asked) {
-    const json& tolerance = asked.at("tolerance");
-    const json& camera = asked.at("camera");
-    const std::string variant = asked.value("variant", "");
-    const int frame = camera.value("frame", 0);
-    return fmt::format("{}, {}{}{}, {:.6g}{}, {}{}",
-                       asked.at("terrain").at("name").get<std::string>(),
-                       asked.at("method").get<std::string>(), variant.empty() ? "" : " ", variant,
-                       tolerance.at("value").get<double>(), tolerance.at("unit").get<std::string>(),
-                       camera.value("name", "?"), frame > 0 ? fmt::format(" frame {}", frame) : "");
-  }
-
   int terrain_row(const json& terrain) {
     const std::string name = terrain.at("name").get<std::string>();
     const auto row = static_cast<std::size_t>(terrain_names_.row(name));
@@ -245,42 +235,25 @@ class Reader {
   std::set<std::string> keys_, programs_;
 };
 
-json parsed(std::string_view line) {
-  json value = json::parse(line, nullptr, false);
-  if (value.is_discarded() || !value.is_object()) input_error("expected one JSON object");
-  const std::string schema = value.contains("schema") && value["schema"].is_string()
-                                 ? value["schema"].get<std::string>()
-                                 : "none";
-  if (schema != "plumb.sweep/1") input_error("expected schema 'plumb.sweep/1', got '{}'", schema);
-  return value;
-}
-
 }  // namespace
 
 RunTable parse_runs(std::string_view text, const std::string& name) {
   if (text.empty()) input_error("'{}' is empty: expected the results of plumb sweep", name);
+  const sweep::ResultLines results = sweep::parse_results(text, name);
   Reader reader;
-  bool torn = false;
-  for (int line = 1; !text.empty(); ++line) {
-    const std::size_t end = text.find('\n');
-    if (end == std::string_view::npos) {
-      torn = true;
-      break;
-    }
+  for (const sweep::ResultLine& line : results.lines) {
     try {
-      reader.add(parsed(text.substr(0, end)));
-    } catch (const InputError& error) {
-      input_error("'{}' line {}: {}", name, line, error.what());
+      reader.add(json::parse(line.text), line.run);
     } catch (const json::exception& error) {
-      input_error("'{}' line {}: not as plumb.sweep/1 has it: {}", name, line, error.what());
+      input_error("'{}': the line of {} is not as plumb.sweep/1 has it: {}", name, line.run,
+                  error.what());
     }
-    text.remove_prefix(end + 1);
   }
   RunTable table = std::move(reader).table();
-  table.torn = torn;
+  table.torn = results.whole_bytes < text.size();
   if (table.runs.empty())
     input_error("'{}' has no finished run ({} failed, {} skipped{})", name, table.failed.size(),
-                table.skipped.size(), torn ? ", a torn last line" : "");
+                table.skipped.size(), table.torn ? ", a torn last line" : "");
   return table;
 }
 
