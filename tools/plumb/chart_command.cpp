@@ -11,6 +11,7 @@
 
 #include "audit/chart/chart_data.h"
 #include "audit/chart/chart_page.h"
+#include "chart_maps.h"
 #include "chart_print.h"
 #include "child_process.h"
 #include "command.h"
@@ -27,7 +28,7 @@ namespace chart = audit::chart;
 namespace fs = std::filesystem;
 
 struct ChartOptions {
-  std::string results, output, cost;
+  std::string results, output, cost, maps;
   bool json = false;
 };
 
@@ -110,10 +111,16 @@ int run_chart(const ChartOptions& options, const Invocation& invocation) {
   const chart::RunTable table = chart::read_runs(options.results);
   if (table.torn) warn(fmt::format("'{}': the last line is torn and left out", options.results));
   const std::vector<chart::Setting> settings = chart::settings_of(table);
+  const std::vector<std::size_t> mapped =
+      options.maps.empty() ? std::vector<std::size_t>{} : runs_for_maps(table, options.maps);
   make_folder(options.output);
   Written written;
   progress.step("drawing the page");
-  const chart::PageInput input = page_input(options, invocation, table, settings);
+  chart::PageInput input = page_input(options, invocation, table, settings);
+  if (!options.maps.empty()) {
+    input.maps_of = options.maps;
+    input.mapped = make_maps(options.output, table, mapped, written.files, written.left_out);
+  }
   write_page(options, input, written);
   progress.step("drawing for print");
   print_charts(options.output, input, written.files, written.left_out);
@@ -128,13 +135,21 @@ Command chart_command() {
   Command command;
   command.name = "chart";
   command.summary = "Draw what a sweep measured: cost against error, claims, camera paths";
-  command.example = "plumb chart --help";
+  command.example =
+      "printf '%s\\n' 'terrains = [\"generate:alpine?size=65\"]' 'methods = "
+      "[\"restricted-quadtree\", \"full\"]' 'tolerances_px = [1, 4]' 'width = 160' 'height = "
+      "90' > sweep.toml && plumb sweep sweep.toml -o results.jsonl && plumb chart results.jsonl "
+      "-o charts";
   command.declare = [](Options& options) -> Action {
     const auto values = std::make_shared<ChartOptions>();
     options.argument(values->results, "RESULTS", "What plumb sweep wrote, a .jsonl file");
     options.choice(values->cost, "--cost", cost_names(),
                    "What the charts show as cost; the page offers all (draw_cpu_s, or triangles if "
                    "all times were taken while sharing the machine)");
+    options.text(
+        values->maps, "--maps", "RUNS",
+        "Run some again, in this folder, for maps of error and cost: worst (of each method "
+        "and variant), TERRAIN/CAMERA (of each at the tolerance nearest to 1), or a key");
     options.group("Output");
     add_output_option(options, values->output,
                       "Folder for charts.html and each chart as SVG and PNG");

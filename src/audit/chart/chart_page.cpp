@@ -136,6 +136,27 @@ void add_charts(report::HtmlPage& page, const PageInput& input) {
   }
 }
 
+void add_maps(report::HtmlPage& page, const PageInput& input) {
+  page.add_heading("Where in the picture are error and cost?");
+  if (input.maps_of.empty()) {
+    page.add_paragraph(
+        "Maps are made on request, as each needs its run once more: plumb chart --maps worst shows "
+        "the run with the largest error of each method and variant, --maps TERRAIN/CAMERA all of "
+        "them in one view.");
+    return;
+  }
+  page.add_paragraph(
+      input.maps_of == "worst"
+          ? "Of each method and variant the run with the largest error. Left: how wrong each pixel "
+            "is; then how much work it took. Where both are bright, work did not help."
+          : fmt::format("Runs of {}. Left: how wrong each pixel is; then how much work it took.",
+                        input.maps_of));
+  for (const MappedRun& run : input.mapped) {
+    page.add_pictures(run.title, run.maps);
+    page.add_details("Its command", run.command);
+  }
+}
+
 }  // namespace
 
 std::string chart_page(const PageInput& input) {
@@ -149,6 +170,7 @@ std::string chart_page(const PageInput& input) {
         {chart_data(input.table, input.settings, input.cost), templates_json(), input.library});
   }
   add_charts(page, input);
+  add_maps(page, input);
   page.add_heading("What is not in the charts");
   if (input.table.failed.empty() && input.table.skipped.empty())
     page.add_paragraph("No run failed, none was skipped.");

@@ -6,6 +6,7 @@
 
 #include "audit/chart/run_table.h"
 #include "audit/chart/summary.h"
+#include "report/html_page.h"
 
 namespace plumb::audit::chart {
 
@@ -28,6 +29,12 @@ struct PrintedChart {
 /// Those for which the table has something to show.
 std::vector<PrintedChart> printed_charts(const RunTable& table);
 
+/// A run that was made again for its maps.
+struct MappedRun {
+  std::string title, command;
+  std::vector<report::CaptionedPicture> maps;
+};
+
 struct PageInput {
   const RunTable& table;
   const std::vector<Setting>& settings;
@@ -35,6 +42,8 @@ struct PageInput {
   std::string results;   // the name of the file of results
   std::string command;   // makes the page again
   std::string library;   // the text of vega.min.js; "": plain charts in its place
+  std::vector<MappedRun> mapped = {};
+  std::string maps_of = {};  // "worst"; "" where no maps were asked for
 };
 
 /// The chart as SVG, drawn by the program.
