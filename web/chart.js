@@ -194,7 +194,7 @@
     const cost = costs[state.cost];
     status.textContent =
       `${shown} of ${series.length} finished runs are shown.` +
-      (without > 0 ? ` ${without} have no error or no number for “${cost.name}” (slices have no triangles, for one).` : "") +
+      (without > 0 ? ` ${without} show nothing of the terrain or have no number for “${cost.name}” (slices have no triangles, for one).` : "") +
       (cost.time && together > 0
         ? ` ${together} of these times were taken while other runs used the machine (crosses): they say little; plumb sweep --time measures one run at a time.`
         : "");

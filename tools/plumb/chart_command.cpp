@@ -115,12 +115,13 @@ int run_chart(const ChartOptions& options, const Invocation& invocation) {
       options.maps.empty() ? std::vector<std::size_t>{} : runs_for_maps(table, options.maps);
   make_folder(options.output);
   Written written;
-  progress.step("drawing the page");
   chart::PageInput input = page_input(options, invocation, table, settings);
   if (!options.maps.empty()) {
+    progress.finish();
     input.maps_of = options.maps;
     input.mapped = make_maps(options.output, table, mapped, written.files, written.left_out);
   }
+  progress.step("drawing the page");
   write_page(options, input, written);
   progress.step("drawing for print");
   print_charts(options.output, input, written.files, written.left_out);

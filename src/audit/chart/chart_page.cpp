@@ -80,7 +80,9 @@ const std::vector<ChartWords>& charts() {
        "all views of one terrain at one tolerance, and a curve joins a method's tolerances. Lower "
        "left is best: less error for less work. The broad grey steps are the Pareto front: no "
        "method, shown or hidden, has a median with both less error and less cost. Both axes are "
-       "logarithmic; 0 and \xE2\x88\x9E have shaded places of their own."},
+       "logarithmic; 0 and \xE2\x88\x9E have shaded places of their own, and what is below a "
+       "millionth of a pixel is "
+       "rounding and counts as 0."},
       {"claims", "Do methods keep what they claim?",
        "Each point is one run: across, the error that the method claims to stay below; upwards, "
        "what was measured. On the dashed line both are the same. Above it the claim is broken (a "

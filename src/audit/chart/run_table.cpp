@@ -33,13 +33,17 @@ std::optional<double> number(const json& object, const char* name) {
                                                 : std::nullopt;
 }
 
-// The largest error of a distribution; a null beside a count is an infinite one.
+// What is left of an exact method's error by rounding is none.
+double without_rounding(double error) { return error < kRounding ? 0.0 : error; }
+
+// The largest error of a distribution; a null beside a count is an infinite one. None where nothing
+// was measured: a view that shows nothing of the terrain.
 std::optional<double> largest(const json* distribution) {
   if (distribution == nullptr) return std::nullopt;
-  if (const auto most = number(*distribution, "max")) return most;
-  const bool any = number(*distribution, "count").value_or(0.0) > 0.0 ||
+  const bool any = number(*distribution, "count").value_or(1.0) > 0.0 ||
                    number(*distribution, "infinite").value_or(0.0) > 0.0;
-  return any ? std::optional(kInfinite) : std::nullopt;
+  if (!any) return std::nullopt;
+  return without_rounding(number(*distribution, "max").value_or(kInfinite));
 }
 
 std::optional<double> error_of(const json& errors) {
@@ -94,9 +98,9 @@ std::vector<ClaimedAndMeasured> claims_of(const json& line) {
     if (unit != "px" && unit != "m") continue;
     const json* holds = member(claim, "holds");
     if (holds == nullptr) continue;  // not measured
-    claims.push_back({claim.value("measure", ""), unit,
-                      number(claim, "claimed").value_or(kInfinite),
-                      number(claim, "measured").value_or(kInfinite), holds->get<bool>()});
+    claims.push_back(
+        {claim.value("measure", ""), unit, number(claim, "claimed").value_or(kInfinite),
+         without_rounding(number(claim, "measured").value_or(kInfinite)), holds->get<bool>()});
   }
   return claims;
 }

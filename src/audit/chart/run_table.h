@@ -32,6 +32,9 @@ inline constexpr std::array<CostKind, 10> kCosts{{
     {"bytes_encoded", "Prepared file, bytes", "bytes"},
 }};
 
+/// An error below this, in pixels or metres, is what rounding left of none: it counts as zero.
+inline constexpr double kRounding = 1e-6;
+
 /// A claim of a method about the whole frame, beside what was measured; +inf for no finite number.
 struct ClaimedAndMeasured {
   std::string measure;  // as the audit names it: "pixel-error"
@@ -57,7 +60,7 @@ struct Run {
   int frame = 0;                            // of a path, from 1; else 0
   bool on_path = false;
   double tolerance = 0.0;
-  std::optional<double> error_px;                          // +inf: infinite; none: not measured
+  std::optional<double> error_px;  // +inf: infinite; none: nothing to measure
   std::array<std::optional<double>, kCosts.size()> costs;  // none: does not apply
   bool shared = false;                                     // other runs used the machine meanwhile
   std::vector<ClaimedAndMeasured> claims;

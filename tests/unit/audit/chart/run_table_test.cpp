@@ -46,6 +46,15 @@ TEST(RunTable, TakesANullBesideACountForAnInfiniteError) {
   EXPECT_FALSE(table.runs[0].claims[0].holds);
 }
 
+TEST(RunTable, HasNoErrorOfAViewOfNothing) {
+  EXPECT_FALSE(parse_runs(line_of({.empty = true}), "r").runs[0].error_px);
+}
+
+TEST(RunTable, CountsRoundingAsNone) {
+  EXPECT_EQ(parse_runs(line_of({.error_px = 9e-7}), "r").runs[0].error_px, 0.0);
+  EXPECT_EQ(parse_runs(line_of({.error_px = 2e-6}), "r").runs[0].error_px, 2e-6);
+}
+
 // What slices cost their triangles do not tell; a file that is not there has no size.
 TEST(RunTable, HasNoCostWhereItDoesNotApply) {
   const RunTable table =

@@ -65,6 +65,16 @@ TEST(Settings, AreMediansOverTheViewsOfATolerance) {
   EXPECT_EQ(settings[1].error_px, 8);
 }
 
+// The view of nothing is cheap, and would halve the median.
+TEST(Settings, LeaveViewsOfNothingOut) {
+  const std::vector<Setting> settings = settings_of(table_of(
+      {{.camera = "a", .error_px = 1, .cpu_s = 4}, {.camera = "b", .empty = true, .cpu_s = 2}}));
+  ASSERT_EQ(settings.size(), 1u);
+  EXPECT_EQ(settings[0].runs, 1);
+  EXPECT_EQ(settings[0].error_px, 1);
+  EXPECT_EQ(settings[0].costs[kCpu], 4);
+}
+
 // "dear" has the error and the triangles of "cheap" doubled, but over another terrain.
 TEST(Settings, HaveAFrontForEachTerrainByItself) {
   const std::vector<Setting> settings = settings_of(table_of(
