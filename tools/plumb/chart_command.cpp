@@ -113,9 +113,9 @@ int run_chart(const ChartOptions& options, const Invocation& invocation) {
   const std::vector<chart::Setting> settings = chart::settings_of(table);
   const std::vector<std::size_t> mapped =
       options.maps.empty() ? std::vector<std::size_t>{} : runs_for_maps(table, options.maps);
+  chart::PageInput input = page_input(options, invocation, table, settings);
   make_folder(options.output);
   Written written;
-  chart::PageInput input = page_input(options, invocation, table, settings);
   if (!options.maps.empty()) {
     progress.finish();
     input.maps_of = options.maps;
