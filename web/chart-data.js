@@ -43,7 +43,7 @@ const plumbCharts = (() => {
     const path = new Map(table.paths.map(({ terrain, camera }, row) => [`${terrain} ${camera}`, row]));
     const asked = new Map(table.asked.map(({ value, unit }, row) => [`${value} ${unit}`, row]));
     return runs(table)
-      .filter((run) => run.path)
+      .filter((run) => run.path && run.error !== null)
       .map((run) =>
         Object.assign(run, {
           on: path.get(`${run.terrain} ${run.camera}`),

@@ -127,7 +127,7 @@ std::vector<const Run*> runs_of(const RunTable& table, const CameraPath& path, c
   std::vector<const Run*> runs;
   for (const Run& run : table.runs) {
     const Series& series = table.series[static_cast<std::size_t>(run.series)];
-    if (run.on_path && run.terrain == path.terrain && run.camera == path.camera &&
+    if (run.on_path && run.error_px && run.terrain == path.terrain && run.camera == path.camera &&
         run.tolerance == asked.value && series.unit == asked.unit)
       runs.push_back(&run);
   }

@@ -73,19 +73,11 @@ std::array<std::optional<double>, kCosts.size()> costs_of(const json& cost, cons
   const auto unless_zero = [](std::optional<double> value) {
     return value == 0.0 ? std::nullopt : value;
   };
-  // Triangles alone say nothing of what slices cost.
-  const bool slices = number(cost, "slices").value_or(0.0) > 0.0;
-  const auto of_mesh = [&](const char* name) { return slices ? std::nullopt : number(cost, name); };
-  return {number(part("draw"), "cpu_s"),
-          number(part("draw"), "wall_s"),
-          number(part("prepare"), "cpu_s"),
-          of_mesh("triangles"),
-          of_mesh("vertices"),
-          unless_zero(number(cost, "slices")),
-          number(cost, "fragments"),
-          unless_zero(number(cost, "nodes_visited")),
-          number(cost, "bytes_resident"),
-          unless_zero(number(cost, "bytes_encoded"))};
+  return {number(part("draw"), "cpu_s"),    number(part("draw"), "wall_s"),
+          number(part("prepare"), "cpu_s"), number(cost, "triangles"),
+          number(cost, "vertices"),         unless_zero(number(cost, "slices")),
+          number(cost, "fragments"),        unless_zero(number(cost, "nodes_visited")),
+          number(cost, "bytes_resident"),   unless_zero(number(cost, "bytes_encoded"))};
 }
 
 std::vector<ClaimedAndMeasured> claims_of(const json& line) {
@@ -150,6 +142,7 @@ class Reader {
 
   RunTable table() && {
     sort_series();
+    leave_out_triangles_of_slices();
     for (const std::string& program : programs_)
       table_.program += (table_.program.empty() ? "" : ", ") + program;
     return std::move(table_);
@@ -200,6 +193,16 @@ class Reader {
     run.command = line.value("command", "");
     run.key = line.at("key").get<std::string>();
     table_.runs.push_back(std::move(run));
+  }
+
+  // Triangles alone say nothing of what slices cost: a series that draws slices anywhere has none.
+  void leave_out_triangles_of_slices() {
+    constexpr std::size_t kTriangles = 3, kVertices = 4, kSlices = 5;
+    std::set<int> of_slices;
+    for (const Run& run : table_.runs)
+      if (run.costs[kSlices]) of_slices.insert(run.series);
+    for (Run& run : table_.runs)
+      if (of_slices.contains(run.series)) run.costs[kTriangles] = run.costs[kVertices] = {};
   }
 
   // Sorts the series and names each by as much as tells it from the others.

@@ -58,11 +58,14 @@ TEST(RunTable, CountsRoundingAsNone) {
 // What slices cost their triangles do not tell; a file that is not there has no size.
 TEST(RunTable, HasNoCostWhereItDoesNotApply) {
   const RunTable table =
-      parse_runs(line_of({.method = "a"}) + line_of({.method = "b", .slices = 8}), "r");
+      parse_runs(line_of({.method = "a"}) + line_of({.method = "b", .slices = 8}) +
+                     line_of({.method = "b", .camera = "top"}),
+                 "r");
   EXPECT_EQ(table.runs[0].costs[kTriangles], 1000);
   EXPECT_FALSE(table.runs[0].costs[kSlices]);
   EXPECT_FALSE(table.runs[1].costs[kTriangles]);
   EXPECT_EQ(table.runs[1].costs[kSlices], 8);
+  EXPECT_FALSE(table.runs[2].costs[kTriangles]);  // slices elsewhere: not to be compared
   EXPECT_FALSE(table.runs[0].costs[kEncoded]);
 }
 
