@@ -2,10 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <nlohmann/json.hpp>
+
 #include "audit/json_parts.h"
 
 namespace plumb::audit {
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json triple_json(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 Json terrain_json(const AuditSubject& subject) {
   const terrain::Heightfield& field = *subject.field;
@@ -33,7 +40,7 @@ Json camera_json(const AuditSubject& subject) {
           {"gamma_px", {c.gamma_h, c.gamma_v}},
           {"centre_px", {c.centre_px.x, c.centre_px.y}},
           {"near_m", c.near_m},
-          {"far_m", number_json(c.far_m)}};
+          {"far_m", std::isfinite(c.far_m) ? Json(c.far_m) : Json(nullptr)}};
 }
 
 }  // namespace
@@ -52,10 +59,8 @@ std::string audit_json(const AuditResult& result, const AuditSubject& subject) {
                     {"hints", subject.hints},
                     {"notes", subject.notes}};
   json["camera"] = camera_json(subject);
-  add_measurements(json, result);
-  json["offenders"] = Json::array();
-  for (const Offender& offender : result.offenders)
-    json["offenders"].push_back(offender_json(offender));
+  json.update(Json::parse(measurements_json(result)));
+  json["offenders"] = Json::parse(offenders_json(result));
   const AuditTimes& t = result.times;
   json["timing"] = {{"prepare_s", t.prepare_s},
                     {"draw_s", t.draw_s},

@@ -1,9 +1,29 @@
 #include "audit/json_parts.h"
 
+#include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
 
 namespace plumb::audit {
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json triple_json(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
+
+Json offender_json(const Offender& o) {
+  Json json{{"what", o.what}, {"value", number_json(o.value)}, {"unit", name_of(o.unit)}};
+  json["pixel"] = o.x >= 0 ? Json::array({o.x, o.y}) : Json(nullptr);
+  json["sample"] = o.sample_i >= 0 ? Json::array({o.sample_i, o.sample_j}) : Json(nullptr);
+  json["world_m"] = triple_json(o.world_m);
+  json["patch"] = o.patch >= 0 ? Json(o.patch) : Json(nullptr);
+  if (!o.patch_name.empty()) json["patch_name"] = o.patch_name;
+  json["triangle"] = o.triangle != kNoPrimitive ? Json(o.triangle) : Json(nullptr);
+  json["breaks"] = o.breaks.empty() ? Json(nullptr) : Json(o.breaks);
+  return json;
+}
 
 Json distribution_json(const Distribution& d) {
   return {{"count", d.count},
@@ -133,24 +153,14 @@ Json all_topology_json(const AuditResult& result) {
   return json;
 }
 
-}  // namespace
-
-Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-Json triple_json(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
-
-Json offender_json(const Offender& o) {
-  Json json{{"what", o.what}, {"value", number_json(o.value)}, {"unit", name_of(o.unit)}};
-  json["pixel"] = o.x >= 0 ? Json::array({o.x, o.y}) : Json(nullptr);
-  json["sample"] = o.sample_i >= 0 ? Json::array({o.sample_i, o.sample_j}) : Json(nullptr);
-  json["world_m"] = triple_json(o.world_m);
-  json["patch"] = o.patch >= 0 ? Json(o.patch) : Json(nullptr);
-  if (!o.patch_name.empty()) json["patch_name"] = o.patch_name;
-  json["triangle"] = o.triangle != kNoPrimitive ? Json(o.triangle) : Json(nullptr);
-  json["breaks"] = o.breaks.empty() ? Json(nullptr) : Json(o.breaks);
-  return json;
+std::string text_of(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-void add_measurements(Json& to, const AuditResult& result) {
+}  // namespace
+
+std::string measurements_json(const AuditResult& result) {
+  Json to;
   to["claims"] = claims_json(result);
   to["patch_claims"] = {{"judged", result.patch_claims}, {"broken", result.patch_claims_broken}};
   to["errors"] = errors_json(result);
@@ -160,6 +170,14 @@ void add_measurements(Json& to, const AuditResult& result) {
   to["topology"] = all_topology_json(result);
   to["registration"] = registration_json(result.registration);
   to["cost"] = cost_json(result.cost);
+  return text_of(to);
+}
+
+std::string offenders_json(const AuditResult& result, std::size_t most) {
+  Json list = Json::array();
+  for (std::size_t k = 0; k < std::min(most, result.offenders.size()); ++k)
+    list.push_back(offender_json(result.offenders[k]));
+  return text_of(list);
 }
 
 }  // namespace plumb::audit

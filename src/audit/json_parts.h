@@ -1,23 +1,17 @@
-// Pieces of an audit's result as JSON, for the files that write one: not for public headers.
+// Pieces of an audit's result as JSON text, for the files that hold one.
 #pragma once
 
-#include <glm/vec3.hpp>
-
-#include <nlohmann/json.hpp>
+#include <string>
 
 #include "audit/audit.h"
 
 namespace plumb::audit {
 
-using Json = nlohmann::ordered_json;
+/// An object with `claims`, `patch_claims`, `errors`, `samples`, `coverage`, `topology`,
+/// `registration` and `cost`, in this order, as audit_json.h has them.
+std::string measurements_json(const AuditResult& result);
 
-/// Null where it is infinite or missing.
-Json number_json(double value);
-Json triple_json(const glm::dvec3& v);
-Json offender_json(const Offender& offender);
-
-/// Adds `claims`, `patch_claims`, `errors`, `samples`, `coverage`, `topology`, `registration` and
-/// `cost`, as audit_json.h has them.
-void add_measurements(Json& to, const AuditResult& result);
+/// The list `offenders` of the first `most` of them.
+std::string offenders_json(const AuditResult& result, std::size_t most = ~std::size_t{0});
 
 }  // namespace plumb::audit

@@ -89,6 +89,8 @@ void write_engine(Writer& to, const EngineCamera& engine) {
 
 void write_camera(Writer& to, const CameraDescription& camera) {
   to.text("preset", camera.preset);
+  to.whole("frame", camera.frame);
+  to.whole("frames", camera.frames);
   to.vector("eye", camera.eye_m);
   to.vector("target", camera.target_m);
   to.vector("up", camera.up);

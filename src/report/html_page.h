@@ -78,7 +78,7 @@ struct LinkRow {
   RowKind kind = RowKind::Plain;
 };
 
-/// A table of other pages; picture and name go before the cells.
+/// A table of other pages; picture (if a row has one) and name go before the cells.
 struct LinkTable {
   std::string caption;
   std::string name_column;

@@ -140,10 +140,10 @@ report::PlainCell cell_of(const RunTable& table, const std::vector<SeriesLook>& 
                           const Winner& winner) {
   if (winner.series < 0) return {{"none kept it", "in all views"}, ""};
   const Series& series = table.series[static_cast<std::size_t>(winner.series)];
-  report::PlainCell cell{
-      {series.method, series.name.substr(series.method.size()),
-       fmt::format("asked {:.3g} {}: {:.4g}", winner.tolerance, series.unit, winner.cost)},
-      looks[static_cast<std::size_t>(winner.series)].colour};
+  report::PlainCell cell{{series.method, series.name.substr(series.method.size()),
+                          fmt::format("asked {:.3g} {}", winner.tolerance, series.unit),
+                          fmt::format("{:.6g}", winner.cost)},
+                         looks[static_cast<std::size_t>(winner.series)].colour};
   std::erase(cell.lines, "");
   return cell;
 }

@@ -1,10 +1,17 @@
 #include "audit/sweep/line_json.h"
 
+#include <cmath>
+#include <nlohmann/json.hpp>
+
 #include "audit/json_parts.h"
 #include "audit/terrain_table.h"
 
 namespace plumb::audit::sweep {
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json triple_json(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 std::string text_of(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -34,7 +41,7 @@ Json camera_json(const SweepPlan& plan, const PlacedView& view) {
           {"gamma_px", {c.gamma_h, c.gamma_v}},
           {"centre_px", {c.centre_px.x, c.centre_px.y}},
           {"near_m", c.near_m},
-          {"far_m", number_json(c.far_m)}};
+          {"far_m", std::isfinite(c.far_m) ? Json(c.far_m) : Json(nullptr)}};
 }
 
 // What every line begins with.
@@ -74,9 +81,9 @@ std::string done_line(const SweepPlan& plan, std::size_t run, const AuditResult&
   json["command"] = command_of(plan, plan.runs[run]);
   json["verdict"] = name_of(result.verdict());
   if (result.verdict() == Verdict::None) json["no_verdict"] = result.no_verdict;
-  add_measurements(json, result);
-  json["worst"] =
-      result.offenders.empty() ? Json(nullptr) : offender_json(result.offenders.front());
+  json.update(Json::parse(measurements_json(result)));
+  const Json worst = Json::parse(offenders_json(result, 1));
+  json["worst"] = worst.empty() ? Json(nullptr) : worst.front();
   json["timing"] = {
       {"prepare", {{"wall_s", timing.prepare_wall_s}, {"cpu_s", timing.prepare_cpu_s}}},
       {"draw",

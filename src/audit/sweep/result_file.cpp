@@ -7,9 +7,9 @@
 
 #include <cerrno>
 #include <cstring>
+#include <nlohmann/json.hpp>
 #include <utility>
 
-#include "audit/json_parts.h"
 #include "audit/sweep/plan.h"
 #include "audit/toml_document.h"
 #include "core/atomic_file.h"
@@ -17,6 +17,8 @@
 
 namespace plumb::audit::sweep {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 std::string text_of(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
