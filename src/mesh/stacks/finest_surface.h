@@ -38,6 +38,8 @@ class FinestSurface {
   /// Keeps references to both.
   FinestSurface(const StackDensities& densities, NodeCache& cache);
 
+  /// A box that holds what lies within a node; empty beyond the field.
+  Box reach(const Node& node) const { return find(node).reach; }
   /// Makes what lies within some nodes, in parallel: it is not to be called from a parallel loop.
   void make(std::span<const Node> nodes) const;
   /// Those with triangles within a node of any level, in the order of the octree's children.

@@ -86,6 +86,7 @@ class ConservativeSelection {
         cache_(cache),
         camera_(camera),
         tolerance_px_(tolerance_px),
+        is_in_view_([&camera](const Box& box) { return may_be_in_view(camera, box); }),
         octree_(densities.size()) {}
 
   Octree octree() {
@@ -100,8 +101,7 @@ class ConservativeSelection {
     return may_be_in_view(camera_, drawn_box(densities_, node));
   }
   bool is_over(const PartError& part) const {
-    return may_be_in_view(camera_, part.box) &&
-           apart_px(camera_, part.box, part.bound_m) > tolerance_px_;
+    return apart_px(camera_, part.box, part.error_m) > tolerance_px_;
   }
 
   // The nodes in view, by level.
@@ -146,11 +146,16 @@ class ConservativeSelection {
     for_each_around(node, [&](const Node& beside) {
       if (octree_.is_inside(beside)) meshes.push_back(cache_.mesh(beside, among_equals()));
     });
-    return is_any_over(*errors_.to_finest({node, meshes.front()})) ||
-           is_any_over(*errors_.from_finest(node, meshes));
+    // Most that are over are so at some points already.
+    for (const auto depth : {NodeErrors::Depth::SomePoints, NodeErrors::Depth::AllPoints}) {
+      if (is_any_over(errors_.from_finest(node, meshes, is_in_view_, depth)) ||
+          is_any_over(errors_.to_finest({node, meshes.front()}, is_in_view_, depth)))
+        return true;
+    }
+    return false;
   }
 
-  bool is_any_over(const PartErrors& parts) const {
+  bool is_any_over(const std::vector<PartError>& parts) const {
     return std::any_of(parts.begin(), parts.end(),
                        [this](const PartError& part) { return is_over(part); });
   }
@@ -161,15 +166,15 @@ class ConservativeSelection {
     const auto meshes = cache_.meshes(octree_, nodes);
     std::unordered_map<Node, std::size_t, NodeHash> index;
     for (std::size_t k = 0; k < nodes.size(); ++k) index.emplace(nodes[k], k);
-    std::vector<PartErrors> over(nodes.size());
+    std::vector<std::vector<PartError>> over(nodes.size());
     parallel_for(static_cast<std::int64_t>(nodes.size()), 1, [&](std::int64_t i) {
       const auto k = static_cast<std::size_t>(i);
       if (!is_seen(nodes[k]) || is_finest(nodes[k])) return;
       std::vector<std::shared_ptr<const NodeMesh>> around;
       for (const Node& node : drawn_around(nodes[k])) around.push_back(meshes[index.at(node)]);
-      for (const auto& parts :
-           {errors_.to_finest({nodes[k], meshes[k]}), errors_.from_finest(nodes[k], around)}) {
-        std::copy_if(parts->begin(), parts->end(), std::back_inserter(over[k]),
+      for (const auto& parts : {errors_.to_finest({nodes[k], meshes[k]}, is_in_view_),
+                                errors_.from_finest(nodes[k], around, is_in_view_)}) {
+        std::copy_if(parts.begin(), parts.end(), std::back_inserter(over[k]),
                      [this](const PartError& part) { return is_over(part); });
       }
     });
@@ -239,6 +244,7 @@ class ConservativeSelection {
   NodeCache& cache_;
   const Camera& camera_;
   double tolerance_px_;
+  NodeErrors::IsWanted is_in_view_;
   Octree octree_;
 };
 

@@ -12,6 +12,16 @@ namespace {
 constexpr int kMostCuts = 6;
 constexpr double kLoose = 1.1;
 
+// Knowing something that is not far.
+NearestTriangle nearest_to_middle(const Corners& corners, const Surface& surface,
+                                  const Corners* near) {
+  const glm::dvec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+  NearestTriangle nearest;
+  if (near != nullptr) nearest = {squared_distance(middle, *near), near};
+  surface.look_for(middle, nearest);
+  return nearest;
+}
+
 // A piece of a triangle, and the triangle of the surface that is nearest to its middle.
 struct Piece {
   Corners corners;
@@ -53,12 +63,8 @@ class Bound {
   }
 
  private:
-  // Looks for what is nearest to the middle, knowing something that is not far.
   const Corners* add(const Corners& corners, const Corners* near, int cuts) {
-    const glm::dvec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
-    NearestTriangle nearest;
-    if (near != nullptr) nearest = {squared_distance(middle, *near), near};
-    surface_.look_for(middle, nearest);
+    const NearestTriangle nearest = nearest_to_middle(corners, surface_, near);
     if (nearest.triangle == nullptr) return nullptr;
     below_squared_ = std::max(below_squared_, nearest.squared);
     push(corners, nearest.triangle, cuts);
@@ -90,11 +96,21 @@ class Bound {
 }  // namespace
 
 void TreesTogether::look_for(const glm::dvec3& point, NearestTriangle& nearest) const {
-  for (const TriangleTree* tree : trees_) tree->look_for(point, nearest);
+  for (const auto& tree : trees_) tree->look_for(point, nearest);
 }
 
 double distance_bound(std::span<const Corners> triangles, const Surface& surface, double fine_m) {
   return Bound(surface, fine_m).of(triangles);
+}
+
+double distance_of_middles(std::span<const Corners> triangles, const Surface& surface) {
+  NearestTriangle nearest;
+  double largest_squared = 0.0;
+  for (const Corners& triangle : triangles) {
+    nearest = nearest_to_middle(triangle, surface, nearest.triangle);
+    largest_squared = std::max(largest_squared, nearest.squared);
+  }
+  return std::sqrt(largest_squared);
 }
 
 }  // namespace plumb::mesh::stacks

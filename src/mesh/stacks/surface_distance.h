@@ -1,6 +1,7 @@
 // How far one surface is from another.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -12,11 +13,12 @@ namespace plumb::mesh::stacks {
 /// Trees side by side, the likeliest first.
 class TreesTogether final : public Surface {
  public:
-  explicit TreesTogether(std::vector<const TriangleTree*> trees) : trees_(std::move(trees)) {}
+  explicit TreesTogether(std::vector<std::shared_ptr<const TriangleTree>> trees)
+      : trees_(std::move(trees)) {}
   void look_for(const glm::dvec3& point, NearestTriangle& nearest) const override;
 
  private:
-  std::vector<const TriangleTree*> trees_;
+  std::vector<std::shared_ptr<const TriangleTree>> trees_;
 };
 
 /// A bound, from above, of the distance from any point of some triangles to the nearest point of a
@@ -29,5 +31,8 @@ class TreesTogether final : public Surface {
 /// pieces the one that may be farthest is cut into four, until none can be much farther than the
 /// middle of one is.
 double distance_bound(std::span<const Corners> triangles, const Surface& surface, double fine_m);
+
+/// The largest distance from the triangles' middles alone: never above the bound.
+double distance_of_middles(std::span<const Corners> triangles, const Surface& surface);
 
 }  // namespace plumb::mesh::stacks
