@@ -15,21 +15,39 @@ constexpr std::size_t kSome = 8;
 
 using Triangles = std::vector<Corners>;
 
-// By the part of a box, `count` along each side, that a triangle's middle lies in or is nearest to.
-std::vector<Triangles> parted(std::span<const TriangleTree* const> trees, const Box& box,
-                              int count) {
-  std::vector<Triangles> parts(static_cast<std::size_t>(count * count * count));
-  for (const TriangleTree* tree : trees) {
-    for (const Corners& triangle : tree->triangles()) {
-      const glm::dvec3 middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
-      int part = 0;
-      for (int axis = 2; axis >= 0; --axis) {
-        const double along =
-            count * (middle[axis] - box.low[axis]) / (box.high[axis] - box.low[axis]);
-        part = count * part + static_cast<int>(std::clamp(along, 0.0, count - 1.0));
-      }
-      parts[static_cast<std::size_t>(part)].push_back(triangle);
+bool is_before(const Corners& a, const Corners& b) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (a[k][axis] != b[k][axis]) return a[k][axis] < b[k][axis];
     }
+  }
+  return false;
+}
+
+// Those that are none of some trees, to the bit.
+Triangles without(Triangles triangles, const std::vector<const TriangleTree*>& trees) {
+  Triangles others;
+  for (const TriangleTree* tree : trees)
+    others.insert(others.end(), tree->triangles().begin(), tree->triangles().end());
+  std::sort(others.begin(), others.end(), is_before);
+  std::erase_if(triangles, [&](const Corners& triangle) {
+    return std::binary_search(others.begin(), others.end(), triangle, is_before);
+  });
+  return triangles;
+}
+
+// By the part of a box, `count` along each side, that a triangle's middle lies in or is nearest to.
+std::vector<Triangles> parted(const Triangles& triangles, const Box& box, int count) {
+  std::vector<Triangles> parts(static_cast<std::size_t>(count * count * count));
+  for (const Corners& triangle : triangles) {
+    const glm::dvec3 middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
+    int part = 0;
+    for (int axis = 2; axis >= 0; --axis) {
+      const double along =
+          count * (middle[axis] - box.low[axis]) / (box.high[axis] - box.low[axis]);
+      part = count * part + static_cast<int>(std::clamp(along, 0.0, count - 1.0));
+    }
+    parts[static_cast<std::size_t>(part)].push_back(triangle);
   }
   return parts;
 }
@@ -57,7 +75,7 @@ struct NodeErrors::Question {
   std::function<std::vector<Triangles>()> parts;
   std::function<std::shared_ptr<const Surface>()> surface;
   double fine_m;
-  const IsWanted& is_wanted;
+  const Allowed& allowed;
   Depth depth;
 };
 
@@ -94,60 +112,82 @@ std::vector<NodeErrors::Part> NodeErrors::known_parts(const Question& question) 
   return question.answers.try_emplace(question.key, std::move(parts)).first->second;
 }
 
-void NodeErrors::answer(const Question& question, std::vector<PartError>& errors) {
-  const bool is_all = question.depth == Depth::AllPoints;
-  double Part::*const error_m = is_all ? &Part::all_m : &Part::some_m;
-  std::vector<Part> parts = known_parts(question);
+// Of those that are wanted, and not known.
+template <class Measured>
+void NodeErrors::measure(const Question& question, std::vector<Part>& parts,
+                         double Part::*distance_m, const std::vector<std::size_t>& wanted,
+                         const Measured& measured) {
   std::vector<std::size_t> missing;
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    if (parts[k].box.empty() || !question.is_wanted(parts[k].box)) continue;
-    if (parts[k].*error_m < 0.0) missing.push_back(k);
+  for (const std::size_t k : wanted) {
+    if (parts[k].*distance_m < 0.0) missing.push_back(k);
   }
-  if (!missing.empty()) {
-    const std::vector<Triangles> triangles = question.parts();
-    const auto surface = question.surface();
-    for (const std::size_t k : missing) {
-      parts[k].*error_m = is_all ? distance_bound(triangles[k], *surface, question.fine_m)
-                                 : distance_of_middles(some_of(triangles[k]), *surface);
-    }
-    const std::lock_guard lock(mutex_);
-    std::vector<Part>& kept = question.answers.find(question.key)->second;
-    for (const std::size_t k : missing) kept[k].*error_m = parts[k].*error_m;
-  }
-  for (const Part& part : parts) {
-    if (part.*error_m > 0.0 && question.is_wanted(part.box))
-      errors.push_back({part.box, part.*error_m});
-  }
+  if (missing.empty()) return;
+  const std::vector<Triangles> triangles = question.parts();
+  const auto surface = question.surface();
+  for (const std::size_t k : missing) parts[k].*distance_m = measured(triangles[k], *surface);
+  const std::lock_guard lock(mutex_);
+  std::vector<Part>& kept = question.answers.find(question.key)->second;
+  for (const std::size_t k : missing) kept[k].*distance_m = parts[k].*distance_m;
 }
 
-std::vector<PartError> NodeErrors::to_finest(const DrawnMesh& drawn, const IsWanted& is_wanted,
-                                             Depth depth) {
-  std::vector<PartError> errors;
-  if (drawn.mesh->faces.empty()) return errors;
-  const double fine_m =
-      kFineVoxels * static_cast<double>(1 << drawn.node.level) * densities_.field().voxel_m;
-  const auto parts = [&] {
-    const auto tree = this->tree(*drawn.mesh);
-    const TriangleTree* pointer = tree.get();
-    return parted({&pointer, 1}, densities_.box(drawn.node), kParts);
+// What decides is `all_m`; the others save most of the work that it takes.
+void NodeErrors::answer(const Question& question, std::vector<Box>& over) {
+  std::vector<Part> parts = known_parts(question);
+  std::vector<std::size_t> wanted;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (!parts[k].box.empty() && question.allowed.is_wanted(parts[k].box)) wanted.push_back(k);
+  }
+  const auto keep_over = [&](double Part::*distance_m) {
+    std::erase_if(wanted, [&](std::size_t k) {
+      return !question.allowed.is_over(parts[k].box, parts[k].*distance_m);
+    });
   };
-  answer({to_finest_, Key{drawn.node, drawn.node, {drawn.mesh.get()}}, parts,
-          [&] { return finest_.around(drawn.node); }, fine_m, is_wanted, depth},
-         errors);
-  return errors;
+  if (question.depth == Depth::SomePoints) {
+    measure(question, parts, &Part::some_m, wanted, [](const Triangles& part, const Surface& to) {
+      return distance_of_middles(some_of(part), to);
+    });
+    keep_over(&Part::some_m);
+  } else {
+    measure(question, parts, &Part::rough_m, wanted, rough_distance_bound);
+    keep_over(&Part::rough_m);
+    measure(question, parts, &Part::all_m, wanted,
+            [&question](const Triangles& part, const Surface& to) {
+              return distance_bound(part, to, question.fine_m);
+            });
+    keep_over(&Part::all_m);
+  }
+  for (const std::size_t k : wanted) over.push_back(parts[k].box);
+}
+
+double NodeErrors::fine_m(int level) const {
+  return kFineVoxels * static_cast<double>(1 << level) * densities_.field().voxel_m;
+}
+
+// Where a node of level 0 draws the finest triangles themselves there is nothing to measure.
+std::vector<Box> NodeErrors::over_to_finest(const DrawnMesh& drawn, const Allowed& allowed,
+                                            Depth depth) {
+  std::vector<Box> over;
+  if (drawn.mesh->faces.empty()) return over;
+  const Node& node = drawn.node;
+  const auto parts = [&] {
+    Triangles triangles = tree(*drawn.mesh)->triangles();
+    if (node.level == 0) triangles = without(std::move(triangles), finest_.within(node));
+    return parted(triangles, densities_.box(node), kParts);
+  };
+  answer({to_finest_, Key{node, node, {drawn.mesh.get()}}, parts,
+          [&] { return finest_.around(node); }, fine_m(node.level), allowed, depth},
+         over);
+  return over;
 }
 
 // The finest surface is asked for by finer nodes, so that it is not made where it is not wanted.
-std::vector<PartError> NodeErrors::from_finest(
+std::vector<Box> NodeErrors::over_from_finest(
     const Node& node, std::span<const std::shared_ptr<const NodeMesh>> meshes,
-    const IsWanted& is_wanted, Depth depth) {
-  std::vector<PartError> errors;
+    const Allowed& allowed, Depth depth) {
   std::vector<const NodeMesh*> drawn;
   for (const auto& mesh : meshes) {
     if (!mesh->faces.empty()) drawn.push_back(mesh.get());
   }
-  const double fine_m =
-      kFineVoxels * static_cast<double>(1 << node.level) * densities_.field().voxel_m;
   int count = kParts;
   std::vector<Node> finer{node};
   for (; count > 1 && finer.front().level > 0; count /= 2) {
@@ -157,14 +197,24 @@ std::vector<PartError> NodeErrors::from_finest(
     }
     finer = std::move(children);
   }
+  std::vector<Box> over;
   for (const Node& of : finer) {
-    if (!is_wanted(finest_.reach(of))) continue;
-    answer({from_finest_, Key{node, of, drawn},
-            [&] { return parted(finest_.within(of), densities_.box(of), count); },
-            [&] { return drawn_surface(drawn); }, fine_m, is_wanted, depth},
-           errors);
+    if (!allowed.is_wanted(finest_.reach(of))) continue;
+    const auto parts = [&] {
+      Triangles triangles;
+      for (const TriangleTree* tree : finest_.within(of))
+        triangles.insert(triangles.end(), tree->triangles().begin(), tree->triangles().end());
+      if (node.level == 0 && !meshes.front()->faces.empty()) {
+        const auto own = tree(*meshes.front());
+        triangles = without(std::move(triangles), {own.get()});
+      }
+      return parted(triangles, densities_.box(of), count);
+    };
+    answer({from_finest_, Key{node, of, drawn}, parts, [&] { return drawn_surface(drawn); },
+            fine_m(node.level), allowed, depth},
+           over);
   }
-  return errors;
+  return over;
 }
 
 }  // namespace plumb::mesh::stacks

@@ -18,10 +18,12 @@
 
 namespace plumb::mesh::stacks {
 
-/// Some triangles, and the distance from their points to the nearest of another surface.
-struct PartError {
-  Box box;             // of the triangles, metres relative to (field().origin_m, 0)
-  double error_m = 0;  // +inf where nothing is near
+/// What a camera asks for.
+struct Allowed {
+  std::function<bool(const Box&)> is_wanted;  // by a box, metres relative to (field().origin_m, 0)
+  /// Whether such a distance is too much for points of a box; true of a larger one where it is of
+  /// that. So it is of a larger box.
+  std::function<bool(const Box&, double distance_m)> is_over;
 };
 
 /// A node and the mesh that it draws, which depends on what lies beside it.
@@ -37,30 +39,29 @@ struct DrawnMesh {
 /// asked for; each is made when it is first asked for, and kept.
 class NodeErrors {
  public:
-  /// Whether a part is asked for, by its box or a larger one.
-  using IsWanted = std::function<bool(const Box&)>;
-  /// A bound of what all points of a part have, from above; or what some of its points have, for a
-  /// fraction of the work, which is never above that.
+  /// Whether a few points may tell, which never say that a part is over where all points do not.
   enum class Depth { SomePoints, AllPoints };
 
   /// Keeps references to both.
   NodeErrors(const StackDensities& densities, NodeCache& cache);
 
-  /// From any point that the node draws to the finest surface.
-  std::vector<PartError> to_finest(const DrawnMesh& drawn, const IsWanted& is_wanted,
-                                   Depth depth = Depth::AllPoints);
-  /// From any point of the finest surface within the node to one of the meshes, which are drawn in
-  /// it and around it, the likeliest first.
-  std::vector<PartError> from_finest(const Node& node,
-                                     std::span<const std::shared_ptr<const NodeMesh>> meshes,
-                                     const IsWanted& is_wanted, Depth depth = Depth::AllPoints);
+  /// The boxes of parts from which the finest surface is too far.
+  std::vector<Box> over_to_finest(const DrawnMesh& drawn, const Allowed& allowed,
+                                  Depth depth = Depth::AllPoints);
+  /// The boxes of parts of the finest surface within the node that are too far from all meshes:
+  /// those which are drawn in it and around it, its own first.
+  std::vector<Box> over_from_finest(const Node& node,
+                                    std::span<const std::shared_ptr<const NodeMesh>> meshes,
+                                    const Allowed& allowed, Depth depth = Depth::AllPoints);
 
   const FinestSurface& finest() const { return finest_; }
 
  private:
+  // Distances, < 0 where they are not measured yet: of a few points, never above `all_m`; a bound
+  // of all, never below it; and the bound that decides.
   struct Part {
     Box box;
-    double some_m = -1.0, all_m = -1.0;  // < 0: not measured yet
+    double some_m = -1.0, rough_m = -1.0, all_m = -1.0;
   };
   // A node, the node that the parts are in, which is as fine or finer, and what is drawn.
   using Key = std::tuple<Node, Node, std::vector<const NodeMesh*>>;
@@ -68,8 +69,12 @@ class NodeErrors {
 
   std::shared_ptr<const TriangleTree> tree(const NodeMesh& mesh);
   std::shared_ptr<const Surface> drawn_surface(const std::vector<const NodeMesh*>& meshes);
-  void answer(const Question& question, std::vector<PartError>& errors);
   std::vector<Part> known_parts(const Question& question);
+  template <class Measured>
+  void measure(const Question& question, std::vector<Part>& parts, double Part::*distance_m,
+               const std::vector<std::size_t>& wanted, const Measured& measured);
+  void answer(const Question& question, std::vector<Box>& over);
+  double fine_m(int level) const;
 
   const StackDensities& densities_;
   FinestSurface finest_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <memory>
 #include <unordered_map>
@@ -85,8 +84,10 @@ class ConservativeSelection {
         errors_(errors),
         cache_(cache),
         camera_(camera),
-        tolerance_px_(tolerance_px),
-        is_in_view_([&camera](const Box& box) { return may_be_in_view(camera, box); }),
+        allowed_{[&camera](const Box& box) { return may_be_in_view(camera, box); },
+                 [&camera, tolerance_px](const Box& box, double distance_m) {
+                   return apart_px(camera, box, distance_m) > tolerance_px;
+                 }},
         octree_(densities.size()) {}
 
   Octree octree() {
@@ -100,10 +101,6 @@ class ConservativeSelection {
   bool is_seen(const Node& node) const {
     return may_be_in_view(camera_, drawn_box(densities_, node));
   }
-  bool is_over(const PartError& part) const {
-    return apart_px(camera_, part.box, part.error_m) > tolerance_px_;
-  }
-
   // The nodes in view, by level.
   std::vector<std::vector<Node>> seen_nodes() const {
     std::vector<std::vector<Node>> seen(static_cast<std::size_t>(octree_.root_level()) + 1);
@@ -148,16 +145,11 @@ class ConservativeSelection {
     });
     // Most that are over are so at some points already.
     for (const auto depth : {NodeErrors::Depth::SomePoints, NodeErrors::Depth::AllPoints}) {
-      if (is_any_over(errors_.from_finest(node, meshes, is_in_view_, depth)) ||
-          is_any_over(errors_.to_finest({node, meshes.front()}, is_in_view_, depth)))
+      if (!errors_.over_from_finest(node, meshes, allowed_, depth).empty() ||
+          !errors_.over_to_finest({node, meshes.front()}, allowed_, depth).empty())
         return true;
     }
     return false;
-  }
-
-  bool is_any_over(const std::vector<PartError>& parts) const {
-    return std::any_of(parts.begin(), parts.end(),
-                       [this](const PartError& part) { return is_over(part); });
   }
 
   // Looks at what is drawn, and divides where that is too coarse; false if it is nowhere.
@@ -166,23 +158,21 @@ class ConservativeSelection {
     const auto meshes = cache_.meshes(octree_, nodes);
     std::unordered_map<Node, std::size_t, NodeHash> index;
     for (std::size_t k = 0; k < nodes.size(); ++k) index.emplace(nodes[k], k);
-    std::vector<std::vector<PartError>> over(nodes.size());
+    std::vector<std::vector<Box>> over(nodes.size());
     parallel_for(static_cast<std::int64_t>(nodes.size()), 1, [&](std::int64_t i) {
       const auto k = static_cast<std::size_t>(i);
       if (!is_seen(nodes[k]) || is_finest(nodes[k])) return;
       std::vector<std::shared_ptr<const NodeMesh>> around;
       for (const Node& node : drawn_around(nodes[k])) around.push_back(meshes[index.at(node)]);
-      for (const auto& parts : {errors_.to_finest({nodes[k], meshes[k]}, is_in_view_),
-                                errors_.from_finest(nodes[k], around, is_in_view_)}) {
-        std::copy_if(parts.begin(), parts.end(), std::back_inserter(over[k]),
-                     [this](const PartError& part) { return is_over(part); });
-      }
+      over[k] = errors_.over_to_finest({nodes[k], meshes[k]}, allowed_);
+      for (const Box& box : errors_.over_from_finest(nodes[k], around, allowed_))
+        over[k].push_back(box);
     });
     const Octree before = octree_;
     bool changed = false;
     for (std::size_t k = 0; k < nodes.size(); ++k) {
-      for (const PartError& part : over[k]) {
-        refine(before, nodes[k], part.box);
+      for (const Box& box : over[k]) {
+        refine(before, nodes[k], box);
         changed = true;
       }
     }
@@ -243,8 +233,7 @@ class ConservativeSelection {
   NodeErrors& errors_;
   NodeCache& cache_;
   const Camera& camera_;
-  double tolerance_px_;
-  NodeErrors::IsWanted is_in_view_;
+  Allowed allowed_;
   Octree octree_;
 };
 

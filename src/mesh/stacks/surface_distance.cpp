@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kMostCuts = 6;
 constexpr double kLoose = 1.1;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Knowing something that is not far.
 NearestTriangle nearest_to_middle(const Corners& corners, const Surface& surface,
@@ -42,8 +43,8 @@ class Bound {
   double of(std::span<const Corners> triangles) {
     const Corners* last = nullptr;
     for (const Corners& triangle : triangles) {
-      last = add(triangle, last, 0);
-      if (last == nullptr) return std::numeric_limits<double>::infinity();
+      last = add(triangle, last, kInfinity, 0);
+      if (last == nullptr) return kInfinity;
     }
     double largest = 0.0;
     while (!pieces_.empty()) {
@@ -63,18 +64,20 @@ class Bound {
   }
 
  private:
-  const Corners* add(const Corners& corners, const Corners* near, int cuts) {
+  // `known`: no point of it is farther, squared.
+  const Corners* add(const Corners& corners, const Corners* near, double known, int cuts) {
     const NearestTriangle nearest = nearest_to_middle(corners, surface_, near);
     if (nearest.triangle == nullptr) return nullptr;
     below_squared_ = std::max(below_squared_, nearest.squared);
-    push(corners, nearest.triangle, cuts);
+    push(corners, nearest.triangle, known, cuts);
     return nearest.triangle;
   }
 
-  void push(const Corners& corners, const Corners* nearest, int cuts) {
+  void push(const Corners& corners, const Corners* nearest, double known, int cuts) {
     Piece piece{corners, nearest, 0.0, cuts};
     for (const glm::dvec3& corner : corners)
       piece.above_squared = std::max(piece.above_squared, squared_distance(corner, *nearest));
+    piece.above_squared = std::min(piece.above_squared, known);
     pieces_.push_back(piece);
     std::push_heap(pieces_.begin(), pieces_.end());
   }
@@ -83,9 +86,9 @@ class Bound {
   void cut(const Piece& piece) {
     const auto& [a, b, c] = piece.corners;
     const glm::dvec3 ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
-    push({ab, bc, ca}, piece.nearest, piece.cuts + 1);
+    push({ab, bc, ca}, piece.nearest, piece.above_squared, piece.cuts + 1);
     for (const Corners& corners : {Corners{a, ab, ca}, Corners{b, bc, ab}, Corners{c, ca, bc}})
-      add(corners, piece.nearest, piece.cuts + 1);
+      add(corners, piece.nearest, piece.above_squared, piece.cuts + 1);
   }
 
   const Surface& surface_;
@@ -101,6 +104,10 @@ void TreesTogether::look_for(const glm::dvec3& point, NearestTriangle& nearest) 
 
 double distance_bound(std::span<const Corners> triangles, const Surface& surface, double fine_m) {
   return Bound(surface, fine_m).of(triangles);
+}
+
+double rough_distance_bound(std::span<const Corners> triangles, const Surface& surface) {
+  return Bound(surface, kInfinity).of(triangles);
 }
 
 double distance_of_middles(std::span<const Corners> triangles, const Surface& surface) {

@@ -32,7 +32,10 @@ class TreesTogether final : public Surface {
 /// middle of one is.
 double distance_bound(std::span<const Corners> triangles, const Surface& surface, double fine_m);
 
-/// The largest distance from the triangles' middles alone: never above the bound.
+/// The same where no triangle is cut: never below it.
+double rough_distance_bound(std::span<const Corners> triangles, const Surface& surface);
+
+/// The largest distance from the triangles' middles alone: never above it.
 double distance_of_middles(std::span<const Corners> triangles, const Surface& surface);
 
 }  // namespace plumb::mesh::stacks
