@@ -45,8 +45,8 @@ double squared_distance(const glm::dvec3& point, const Corners& triangle) {
   const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
   if (d6 >= 0.0 && d5 <= d6) return squared(cp);
   const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
-  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return squared(ap - part(d1, d1 - d3) * ab);
-  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return squared(ap - part(d2, d2 - d6) * ac);
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 && d1 > d3) return squared(ap - d1 / (d1 - d3) * ab);
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 && d2 > d6) return squared(ap - d2 / (d2 - d6) * ac);
   if (va <= 0.0 && d4 >= d3 && d5 >= d6)
     return squared(bp - part(d4 - d3, (d4 - d3) + (d5 - d6)) * (c - b));
   const double sum = va + vb + vc;
