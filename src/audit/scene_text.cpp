@@ -88,8 +88,9 @@ void write_engine(Writer& to, const EngineCamera& engine) {
 }
 
 void write_camera(Writer& to, const CameraDescription& camera) {
-  to.table("camera");
   to.text("preset", camera.preset);
+  to.whole("frame", camera.frame);
+  to.whole("frames", camera.frames);
   to.vector("eye", camera.eye_m);
   to.vector("target", camera.target_m);
   to.vector("up", camera.up);
@@ -119,6 +120,7 @@ void write_method(Writer& to, const Scene& scene) {
 std::string to_toml(const Scene& scene) {
   Writer to;
   write_terrain(to, scene);
+  to.table("camera");
   write_camera(to, scene.camera);
   write_method(to, scene);
   const bool by_rays = scene.painter == Painter::Truth;
@@ -126,6 +128,15 @@ std::string to_toml(const Scene& scene) {
   if (by_rays) to.text("what", "truth");
   to.text("drape", scene.drape);
   return to.result();
+}
+
+std::string inline_toml(const CameraDescription& camera) {
+  Writer to;
+  write_camera(to, camera);
+  std::string line;
+  for (const char c : to.result()) line += c == '\n' ? std::string(", ") : std::string(1, c);
+  if (line.ends_with(", ")) line.resize(line.size() - 2);
+  return "{ " + line + " }";
 }
 
 CameraDescription description_of(const LookAt& camera) {
