@@ -148,6 +148,12 @@ CameraDescription read_camera_file(const std::string& path) {
   return parse_camera_toml(read_text_file(path, "camera file"), path);
 }
 
+std::optional<CameraDescription> parse_inline_camera(const std::string& text) {
+  if (!text.starts_with('{')) return std::nullopt;
+  const TomlTable root = parse_toml("camera = " + text, "the camera of the command line");
+  return camera_in(table_in(root.front().value), root.front().value.where);
+}
+
 std::optional<CameraDescription> parse_camera_numbers(const std::string& text) {
   if (text.find(',') == std::string::npos) return std::nullopt;
   std::vector<double> numbers;

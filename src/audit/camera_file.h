@@ -46,6 +46,10 @@ CameraDescription parse_camera_toml(const std::string& text, const std::string& 
 /// The same from a table of a larger file, [camera] of a scene.
 CameraDescription camera_in(const TomlTable& table, const std::string& name);
 
+/// The same from an inline table, "{eye = [0, 0, 2], target = [0, 1, 2], near = 0.5}", for where
+/// there is no file. Nothing if the text does not begin with a brace.
+std::optional<CameraDescription> parse_inline_camera(const std::string& text);
+
 /// Six or seven numbers: "ex,ey,ez,tx,ty,tz[,fov_y_deg]". Nothing if the text does not look like a
 /// list of numbers (is a name); throws InputError if it does and is not six or seven of them.
 std::optional<CameraDescription> parse_camera_numbers(const std::string& text);

@@ -35,6 +35,16 @@ class Writer {
     raw(key, "[" + list + "]");
   }
   std::string result() const { return text_; }
+  /// Everything that stands in one table, as an inline one.
+  std::string inline_result() const {
+    std::string line = "{";
+    for (std::size_t at = text_.find('\n') + 1; at < text_.size();) {
+      const std::size_t end = text_.find('\n', at);
+      line += (line.size() > 1 ? ", " : "") + text_.substr(at, end - at);
+      at = end + 1;
+    }
+    return line + "}";
+  }
 
  private:
   std::string text_;
@@ -126,6 +136,12 @@ std::string to_toml(const Scene& scene) {
   if (by_rays) to.text("what", "truth");
   to.text("drape", scene.drape);
   return to.result();
+}
+
+std::string to_inline_toml(const CameraDescription& camera) {
+  Writer to;
+  write_camera(to, camera);
+  return to.inline_result();
 }
 
 CameraDescription description_of(const LookAt& camera) {

@@ -55,5 +55,6 @@ Command golden_command();
 Command profile_command();
 Command build_command();
 Command decode_command();
+Command soundness_command();
 
 }  // namespace plumb::tool

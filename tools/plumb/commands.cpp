@@ -3,8 +3,9 @@
 namespace plumb::tool {
 
 std::vector<Command> all_commands() {
-  return {info_command(),   truth_command(),   render_command(),  audit_command(), build_command(),
-          decode_command(), profile_command(), compare_command(), golden_command()};
+  return {info_command(),   truth_command(),    render_command(),  audit_command(),
+          build_command(),  decode_command(),   profile_command(), compare_command(),
+          golden_command(), soundness_command()};
 }
 
 }  // namespace plumb::tool

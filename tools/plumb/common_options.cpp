@@ -81,8 +81,8 @@ void add_camera_options(Options& options, CameraOptions& camera) {
   options.group("Camera");
   options.text(camera.camera, "--camera", "CAMERA",
                "A preset (" + presets +
-                   "), a TOML file (a camera, or a path of them), or the numbers "
-                   "ex,ey,ez,tx,ty,tz[,fov] (oblique)");
+                   "), a TOML file (a camera, or a path of them), what stands in one as "
+                   "'{eye = [X, Y, Z], ...}', or the numbers ex,ey,ez,tx,ty,tz[,fov] (oblique)");
   options.text(camera.size, "--size", "WxH", "Size of the image in pixels (1920x1080)");
   options.number(camera.fov_y_deg, "--fov", "DEG", "Vertical field of view (50)");
   options.number(camera.tilt_deg, "--tilt", "DEG",
@@ -93,6 +93,7 @@ void add_camera_options(Options& options, CameraOptions& camera) {
 namespace {
 
 std::vector<audit::CameraDescription> cameras_meant(const std::string& text) {
+  if (const auto table = audit::parse_inline_camera(text)) return {*table};
   std::error_code ignored;
   if (text.ends_with(".toml") || std::filesystem::is_regular_file(text, ignored))
     return audit::read_camera_path(text);
