@@ -41,6 +41,8 @@ class SecondLook {
     }
     if (n.all_miss() && hit) {
       if (at_large) return DefectKind::Overshoot;
+      // Truth that is seen edge on is hit by no ray; displaced, it shows.
+      if (walk_.keeps(local_.eye_m + drawn_.from_eye_m[pixel])) return DefectKind::None;
       const bool land =
           any_ray_near(x, y, drawn_.from_eye_m[pixel],
                        [](const reference::RayHit& ray) { return static_cast<bool>(ray); });

@@ -189,6 +189,9 @@ int power_parameter(const MethodChoice& choice, const std::string& name, int oth
 
 std::unique_ptr<PreparedMethod> prepare_tessellation(const terrain::Heightfield& field,
                                                      const MethodChoice& choice, bool fine) {
+  if (field.columns() < 2 || field.rows() < 2)
+    input_error("{}: patches need 2 x 2 samples, the terrain has {} x {}", field.provenance.source,
+                field.columns(), field.rows());
   tessellation::Parameters parameters;
   parameters.variant = choice.variant == "published" ? tessellation::Variant::Published
                                                      : tessellation::Variant::Conservative;

@@ -78,6 +78,7 @@ struct Refusal {
   const char* why;
 };
 constexpr Refusal kStated[] = {
+    {"patches need 2 x 2 samples", "patches need 2 x 2 samples"},
     {"has holes alone has no surface", "a terrain of stacks without a stack"},
 };
 
