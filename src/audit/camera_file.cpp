@@ -151,6 +151,7 @@ CameraDescription read_camera_file(const std::string& path) {
 std::optional<CameraDescription> parse_inline_camera(const std::string& text) {
   if (!text.starts_with('{')) return std::nullopt;
   const TomlTable root = parse_toml("camera = " + text, "the camera of the command line");
+  if (root.size() > 1) input_error("camera '{}': expected one inline table", text);
   return camera_in(table_in(root.front().value), root.front().value.where);
 }
 

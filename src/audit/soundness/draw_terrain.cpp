@@ -69,9 +69,13 @@ double draw_relief(RandomNumbers& random, double length_m) {
 
 Ground draw_ground(RandomNumbers& random, bool of_stacks) {
   Ground ground;
-  const int most = of_stacks ? 40 : 130;
+  const int most = of_stacks ? 72 : 130;
   ground.columns = draw_side(random, most);
   ground.rows = random.chance(0.4) ? ground.columns : draw_side(random, most);
+  if (of_stacks && random.chance(0.3)) {  // so large that coarse levels are drawn
+    ground.columns = random.integer(48, most);
+    ground.rows = random.integer(48, most);
+  }
   const bool is_usual = random.chance(0.8);
   ground.dx_m =
       rounded(is_usual ? random.log_uniform(0.5, 100.0) : random.log_uniform(1e-3, 1e4), 3);
@@ -170,10 +174,10 @@ void add_checkerboard(RandomNumbers& random, const Ground& g, Argument& to) {
   to.add("tile", std::to_string(random.integer(1, 16)));
 }
 
-// Voxels are as high as the mean spacing; some 40 of them keep a case short.
+// Voxels are as high as the mean spacing; some 48 of them keep a case short.
 void add_caves(RandomNumbers& random, const Ground& g, Argument& to) {
   const double voxel_m = 0.5 * (g.dx_m + g.dy_m);
-  to.add("relief", voxel_m * random.log_uniform(1.0, 40.0));
+  to.add("relief", voxel_m * random.log_uniform(1.0, 48.0));
   to.add("feature", std::max(1e-3, g.length_m * random.log_uniform(0.1, 3.0)));
   if (random.chance(0.7)) to.add("caves", random.uniform(0.0, 3.0));
   if (random.chance(0.5)) to.add("soil", voxel_m * random.uniform(0.0, 4.0));
