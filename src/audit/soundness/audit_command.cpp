@@ -16,8 +16,8 @@ bool is_plain(const CameraDescription& camera) {
 std::string camera_text(const CameraDescription& camera) {
   const bool is_preset = !camera.preset.empty() && !camera.near_m && !camera.far_m;
   if (is_preset) return camera.preset;
-  if (!is_plain(camera)) return to_inline_toml(camera);
-  const glm::dvec3 e = camera.eye_m.value(), t = camera.target_m.value();
+  if (!is_plain(camera) || !camera.eye_m || !camera.target_m) return to_inline_toml(camera);
+  const glm::dvec3 e = *camera.eye_m, t = *camera.target_m;
   return fmt::format("{},{},{},{},{},{}", e.x, e.y, e.z, t.x, t.y, t.z);
 }
 
@@ -52,8 +52,9 @@ std::string audit_command(const Scene& scene) {
   const std::string view = camera_text(camera);
   add("--camera", view);
   if (!view.starts_with('{')) {
-    add("--size", fmt::format("{}x{}", camera.width_px.value(), camera.height_px.value()));
-    add("--fov", fmt::format("{}", camera.fov_y_deg.value()));
+    if (camera.width_px && camera.height_px)
+      add("--size", fmt::format("{}x{}", *camera.width_px, *camera.height_px));
+    if (camera.fov_y_deg) add("--fov", fmt::format("{}", *camera.fov_y_deg));
     if (camera.tilt_deg) add("--tilt", fmt::format("{}", *camera.tilt_deg));
   }
   add("--method", scene.method);

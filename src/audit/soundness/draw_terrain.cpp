@@ -177,7 +177,7 @@ void add_checkerboard(RandomNumbers& random, const Ground& g, Argument& to) {
 // Voxels are as high as the mean spacing; some 48 of them keep a case short.
 void add_caves(RandomNumbers& random, const Ground& g, Argument& to) {
   const double voxel_m = 0.5 * (g.dx_m + g.dy_m);
-  to.add("relief", voxel_m * random.log_uniform(1.0, 48.0));
+  to.add("relief", std::max(1e-3, voxel_m * random.log_uniform(1.0, 48.0)));
   to.add("feature", std::max(1e-3, g.length_m * random.log_uniform(0.1, 3.0)));
   if (random.chance(0.7)) to.add("caves", random.uniform(0.0, 3.0));
   if (random.chance(0.5)) to.add("soil", voxel_m * random.uniform(0.0, 4.0));
