@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "audit/audit_input.h"
-#include "audit/cast_and_drawn.h"
 #include "audit/claim_check.h"
+#include "audit/frame_audit.h"
 #include "audit/nearest_error.h"
 #include "audit/set_aside.h"
 #include "core/stopwatch.h"
@@ -113,7 +113,7 @@ AuditResult audit_picture(const HeightfieldTruth& truth, HitImage true_hits,
 
 AuditResult audit_surface(const HeightfieldTruth& truth, const DrawnSurface& surface,
                           const Camera& camera, const AuditOptions& options) {
-  return audit_cast_and_drawn(truth, truth.caster, surface, camera, options);
+  return audit_frame(truth, surface, camera, options);
 }
 
 }  // namespace plumb::audit

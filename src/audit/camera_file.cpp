@@ -13,11 +13,13 @@
 #include "core/number_text.h"
 #include "core/reproducible_math.h"
 #include "terrain/camera_presets.h"
+#include "terrain/path_presets.h"
 
 namespace plumb::audit {
 namespace {
 
 constexpr int kLargestSide_px = 65536;
+constexpr int kMostPathFrames = 100000;
 
 EngineCamera& engine_of(CameraDescription& camera) {
   if (!camera.engine) camera.engine.emplace();
@@ -99,6 +101,10 @@ constexpr Key kKeys[] = {
     {"origin",
      [](Description& c, const TomlValue& v) { engine_of(c).world_origin_m = vector_in(v); }},
     {"preset", [](CameraDescription& c, const TomlValue& v) { c.preset = word_in(v); }},
+    {"frame", [](CameraDescription& c,
+                 const TomlValue& v) { c.frame = whole_number_in(v, 1, kMostPathFrames); }},
+    {"frames", [](CameraDescription& c,
+                  const TomlValue& v) { c.frames = whole_number_in(v, 1, kMostPathFrames); }},
 };
 
 void require_whole(const CameraDescription& camera, const std::string& name) {
@@ -114,6 +120,8 @@ void require_whole(const CameraDescription& camera, const std::string& name) {
       input_error("{}: an engine's camera needs width and height, the size of its window", name);
     return;
   }
+  if ((camera.frame || camera.frames) && !terrain::is_path_preset(camera.preset))
+    input_error("{}: frame and frames belong to a preset that is a path", name);
   if (!camera.preset.empty() && placed)
     input_error("{}: a camera has either a preset or eye, target and up, not both", name);
   if (camera.preset.empty() && !(camera.eye_m && camera.target_m))
@@ -148,11 +156,10 @@ CameraDescription read_camera_file(const std::string& path) {
   return parse_camera_toml(read_text_file(path, "camera file"), path);
 }
 
-std::optional<CameraDescription> parse_inline_camera(const std::string& text) {
-  if (!text.starts_with('{')) return std::nullopt;
-  const TomlTable root = parse_toml("camera = " + text, "the camera of the command line");
-  if (root.size() > 1) input_error("camera '{}': expected one inline table", text);
-  return camera_in(table_in(root.front().value), root.front().value.where);
+CameraDescription parse_inline_camera(const std::string& text) {
+  const TomlTable root = parse_toml("camera = " + text, "--camera");
+  if (root.size() != 1) input_error("--camera '{}': expected one table, {{ ... }}", text);
+  return camera_in(table_in(root.front().value), "--camera");
 }
 
 std::optional<CameraDescription> parse_camera_numbers(const std::string& text) {
@@ -190,6 +197,23 @@ LookAt turned_for_tilt(LookAt camera, double tilt_deg, const terrain::Heightfiel
   return camera;
 }
 
+namespace {
+
+LookAt frame_of_path(const CameraDescription& description, const terrain::Heightfield& field,
+                     const LookAt& picture) {
+  const int frames = description.frames.value_or(terrain::kPathFrames);
+  if (!description.frame)
+    input_error("camera preset '{}': it is a path of {} cameras, say which with frame",
+                description.preset, frames);
+  if (*description.frame > frames)
+    input_error("camera preset '{}': frame {} of {}", description.preset, *description.frame,
+                frames);
+  return terrain::path_preset_camera(field, description.preset, *description.frame, frames,
+                                     picture.width_px, picture.height_px, picture.fov_y_deg);
+}
+
+}  // namespace
+
 LookAt resolve_camera(const CameraDescription& description, const terrain::Heightfield& field) {
   LookAt camera;
   camera.width_px = description.width_px.value_or(camera.width_px);
@@ -198,7 +222,9 @@ LookAt resolve_camera(const CameraDescription& description, const terrain::Heigh
   if (!(camera.fov_y_deg > 0.0 && camera.fov_y_deg < 180.0))
     input_error("a camera's field of view must lie between 0 and 180 degrees, got {}",
                 camera.fov_y_deg);
-  if (!description.preset.empty()) {
+  if (terrain::is_path_preset(description.preset)) {
+    camera = frame_of_path(description, field, camera);
+  } else if (!description.preset.empty()) {
     camera = terrain::preset_camera(field, description.preset, camera.width_px, camera.height_px,
                                     camera.fov_y_deg);
   } else {

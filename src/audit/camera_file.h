@@ -15,7 +15,9 @@ namespace plumb::audit {
 
 /// A camera, as far as it was written down.
 struct CameraDescription {
-  std::string preset = "";                         // a preset's name, or empty
+  std::string preset = "";                   // a preset's name, or empty
+  std::optional<int> frame = std::nullopt;   // of a preset that is a path: which one, from 1,
+  std::optional<int> frames = std::nullopt;  // and of how many; terrain::kPathFrames if not said
   std::optional<glm::dvec3> eye_m = std::nullopt;  // world coordinates, as of the terrain's file
   std::optional<glm::dvec3> target_m = std::nullopt;
   std::optional<glm::dvec3> up = std::nullopt;
@@ -32,7 +34,8 @@ struct CameraDescription {
 };
 
 /// Reads a TOML file with the keys eye, target, up (each [x, y, z]), fov_y_deg, width, height,
-/// near, far, tilt_deg; or preset = "NAME" in place of eye, target and up; or, as an engine has
+/// near, far, tilt_deg; or preset = "NAME" in place of eye, target and up, with frame and frames
+/// where that is a path; or, as an engine has
 /// them, view and projection (each sixteen numbers) with layout = "column-major" | "row-major",
 /// vectors = "column" | "row", clip = "opengl" | "d3d" | "vulkan", reverse_z, world_axes = "x,y,z"
 /// (those that point east, north and up), metres_per_unit, origin = [x, y, z]. All but eye and
@@ -46,9 +49,9 @@ CameraDescription parse_camera_toml(const std::string& text, const std::string& 
 /// The same from a table of a larger file, [camera] of a scene.
 CameraDescription camera_in(const TomlTable& table, const std::string& name);
 
-/// The same from an inline table, "{eye = [0, 0, 2], target = [0, 1, 2], near = 0.5}", for where
-/// there is no file. Nothing if the text does not begin with a brace.
-std::optional<CameraDescription> parse_inline_camera(const std::string& text);
+/// The same from an inline table, "{ eye = [1, 2, 3], target = [4, 5, 6] }", as the command line
+/// takes it.
+CameraDescription parse_inline_camera(const std::string& text);
 
 /// Six or seven numbers: "ex,ey,ez,tx,ty,tz[,fov_y_deg]". Nothing if the text does not look like a
 /// list of numbers (is a name); throws InputError if it does and is not six or seven of them.

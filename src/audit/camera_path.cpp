@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/check.h"
+#include "terrain/path_presets.h"
 
 namespace plumb::audit {
 namespace {
@@ -117,11 +118,22 @@ std::vector<CameraDescription> fly_over(const TomlTable& root, const TomlValue& 
 
 }  // namespace
 
+std::vector<CameraDescription> frames_of(const CameraDescription& description) {
+  if (description.frame || !terrain::is_path_preset(description.preset)) return {description};
+  std::vector<CameraDescription> frames(
+      static_cast<std::size_t>(description.frames.value_or(terrain::kPathFrames)), description);
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    frames[k].frame = static_cast<int>(k) + 1;
+    frames[k].frames = static_cast<int>(frames.size());
+  }
+  return frames;
+}
+
 std::vector<CameraDescription> parse_camera_path(const std::string& text, const std::string& name) {
   const TomlTable root = parse_toml(text, name);
   if (const TomlValue* path = find(root, "path")) return fly_over(root, *path, name);
   if (const TomlValue* list = find(root, "camera")) return frames_of_list(root, *list);
-  return {camera_in(root, name)};
+  return frames_of(camera_in(root, name));
 }
 
 std::vector<CameraDescription> read_camera_path(const std::string& path) {

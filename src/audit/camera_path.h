@@ -8,7 +8,12 @@
 
 namespace plumb::audit {
 
-/// The cameras of a file, in their order: one for a camera file; one for each [[camera]] of a list;
+/// The cameras that a description means, in their order: the frames of a preset that is a path
+/// (terrain/path_presets.h) unless one of them is chosen; else the camera itself.
+std::vector<CameraDescription> frames_of(const CameraDescription& description);
+
+/// The cameras of a file, in their order: those that a camera file means; one for each [[camera]]
+/// of a list;
 /// or, for a fly-over,
 ///
 ///   [path]

@@ -236,6 +236,9 @@ void ClaimMeasures::count_defects(ClaimResult& r, std::int64_t defects,
 }
 
 ClaimResult ClaimMeasures::of_limit(const Limit& limit) const {
+  if (limit.measure == "popping")
+    input_error(
+        "limit popping: it is measured between the frames of a path, and this is one frame");
   ClaimResult r;
   r.claim.bound = limit.bound;
   r.claim.unit = limit.unit;

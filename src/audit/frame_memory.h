@@ -13,6 +13,8 @@ namespace plumb::audit {
 inline constexpr std::int64_t kHitBytes = 38, kPictureBytes = 186, kAuditBytes = 150;
 /// That of a depth buffer has the buffer, roundings and two more copies of its picture.
 inline constexpr std::int64_t kDepthAuditBytes = kAuditBytes + 2 * kHitBytes + 14;
+/// That of a frame of a path has places, what is drawn over them in three frames, and their maps.
+inline constexpr std::int64_t kPathAuditBytes = kAuditBytes + 130;
 
 /// Throws InputError, naming the size, what is needed and what is there, unless `bytes_per_pixel`
 /// for every pixel of the camera fit into memory.

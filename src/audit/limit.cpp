@@ -24,6 +24,10 @@ const std::vector<LimitMeasure>& limit_measures() {
       {"coverage", Unit::Count, "holes, overshoots and see-through pixels"},
       {"topology", Unit::Count,
        "open and non-manifold edges, non-manifold vertices, degenerate and folded triangles"},
+      {"popping", Unit::Pixel,
+       "of a path: how far what is drawn of a point went between two frames, the camera's own "
+       "motion "
+       "taken away"},
       {"uncovered-samples", Unit::Count, "samples with nothing drawn over them"},
   };
   return measures;

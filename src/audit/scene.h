@@ -58,10 +58,10 @@ Scene parse_scene(const std::string& text, const std::string& name, const std::s
 ///   (1) Reading it gives the same scene, to the last bit of every number.
 std::string to_toml(const Scene& scene);
 
-/// A camera as an inline table, in one line: "{eye = [0.0, 0.0, 2.0], target = [0.0, 1.0, 2.0]}".
+/// A camera as one line, "{ eye = [1.0, 2.0, 3.0], target = [4.0, 5.0, 6.0] }".
 ///
-///   (1) parse_inline_camera() of it gives the same camera, to the last bit of every number.
-std::string to_inline_toml(const CameraDescription& camera);
+///   (1) parse_inline_camera gives the same camera, to the last bit of every number.
+std::string inline_toml(const CameraDescription& camera);
 
 /// Every value of a camera, as a scene writes it down.
 CameraDescription description_of(const LookAt& camera);

@@ -35,16 +35,6 @@ class Writer {
     raw(key, "[" + list + "]");
   }
   std::string result() const { return text_; }
-  /// Everything that stands in one table, as an inline one.
-  std::string inline_result() const {
-    std::string line = "{";
-    for (std::size_t at = text_.find('\n') + 1; at < text_.size();) {
-      const std::size_t end = text_.find('\n', at);
-      line += (line.size() > 1 ? ", " : "") + text_.substr(at, end - at);
-      at = end + 1;
-    }
-    return line + "}";
-  }
 
  private:
   std::string text_;
@@ -98,8 +88,9 @@ void write_engine(Writer& to, const EngineCamera& engine) {
 }
 
 void write_camera(Writer& to, const CameraDescription& camera) {
-  to.table("camera");
   to.text("preset", camera.preset);
+  to.whole("frame", camera.frame);
+  to.whole("frames", camera.frames);
   to.vector("eye", camera.eye_m);
   to.vector("target", camera.target_m);
   to.vector("up", camera.up);
@@ -129,6 +120,7 @@ void write_method(Writer& to, const Scene& scene) {
 std::string to_toml(const Scene& scene) {
   Writer to;
   write_terrain(to, scene);
+  to.table("camera");
   write_camera(to, scene.camera);
   write_method(to, scene);
   const bool by_rays = scene.painter == Painter::Truth;
@@ -138,10 +130,13 @@ std::string to_toml(const Scene& scene) {
   return to.result();
 }
 
-std::string to_inline_toml(const CameraDescription& camera) {
+std::string inline_toml(const CameraDescription& camera) {
   Writer to;
   write_camera(to, camera);
-  return to.inline_result();
+  std::string line;
+  for (const char c : to.result()) line += c == '\n' ? std::string(", ") : std::string(1, c);
+  if (line.ends_with(", ")) line.resize(line.size() - 2);
+  return "{ " + line + " }";
 }
 
 CameraDescription description_of(const LookAt& camera) {

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "audit/audit_input.h"
-#include "audit/cast_and_drawn.h"
 #include "audit/claim_check.h"
+#include "audit/frame_audit.h"
 #include "audit/solid_coverage.h"
 #include "audit/solid_nearest.h"
 #include "audit/solid_topology.h"
@@ -77,7 +77,7 @@ AuditResult audit_picture(const MeshTruth& truth, HitImage true_hits, const Draw
 
 AuditResult audit_surface(const MeshTruth& truth, const DrawnSurface& surface, const Camera& camera,
                           const AuditOptions& options) {
-  return audit_cast_and_drawn(truth, truth.caster(), surface, camera, options);
+  return audit_frame(truth, surface, camera, options);
 }
 
 }  // namespace plumb::audit

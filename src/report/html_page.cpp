@@ -34,9 +34,11 @@ VerdictWords words_of(Verdict verdict) {
   return {"measured", "?"};
 }
 
-// What a browser may load: nothing but what stands in the page.
+// What a browser may load: nothing but what stands in the page. The drawing library of live charts
+// compiles the expressions of their templates.
 constexpr std::string_view kPolicy =
     "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
+constexpr std::string_view kMayCompile = " 'unsafe-eval'";
 
 }  // namespace
 
@@ -159,14 +161,18 @@ std::string HtmlPage::text() const {
   std::string page = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n<title>{}</title>\n<style>\n",
-      kPolicy, title_);
+      "<meta http-equiv=\"Content-Security-Policy\" "
+      "content=\"{}{}\">\n<title>{}</title>\n<style>\n",
+      kPolicy, live_ ? kMayCompile : "", title_);
   page += kReportStyle;
+  if (live_) page += kChartStyle;
   page += fmt::format("</style>\n</head>\n<body>\n<main>\n<h1>{}</h1>\n", title_);
   page += body_;
   page += "</main>\n<script>\n";
   page += kReportScript;
-  page += "</script>\n</body>\n</html>\n";
+  page += "</script>\n";
+  if (live_) page += live_scripts(*live_);
+  page += "</body>\n</html>\n";
   return page;
 }
 

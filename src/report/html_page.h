@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -77,12 +78,19 @@ struct LinkRow {
   RowKind kind = RowKind::Plain;
 };
 
-/// A table of other pages; picture and name go before the cells.
+/// A table of other pages; picture (if a row has one) and name go before the cells.
 struct LinkTable {
   std::string caption;
   std::string name_column;
   std::vector<Column> columns;
   std::vector<LinkRow> rows;
+};
+
+/// Charts that a drawing library makes of one table while the page is open.
+struct LiveCharts {
+  std::string table_json;      // what web/chart-data.js reads
+  std::string templates_json;  // an object: a chart's name and its Vega specification
+  std::string library;         // the text of vega.min.js
 };
 
 /// Text as HTML shows it: & < > " ' replaced by references, control characters (but line ends and
@@ -115,6 +123,11 @@ class HtmlPage {
   /// Throws std::invalid_argument if a row has not as many cells as there are columns, a picture is
   /// no PNG, or an address is absolute.
   void add_links(const LinkTable& table);
+  /// What draws the charts, once a page; their controls stand here. Throws std::invalid_argument if
+  /// there was one before, or the library has a text that ends a script.
+  void set_live_charts(LiveCharts charts);
+  /// The place of one of them. Throws std::invalid_argument unless the name is an id.
+  void add_live_chart(std::string_view name, std::string_view label);
   /// Text that is there on request: the JSON of the run.
   void add_details(std::string_view summary, std::string_view text);
 
@@ -124,6 +137,7 @@ class HtmlPage {
  private:
   std::string title_;
   std::string body_;
+  std::optional<LiveCharts> live_;
 };
 
 }  // namespace plumb::report

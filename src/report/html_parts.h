@@ -23,6 +23,9 @@ const char* row_class(RowKind kind);
 std::string png_address(std::span<const std::uint8_t> png, std::string_view name, int width_px = 0,
                         int height_px = 0);
 
+/// The elements that draw live charts, for the end of the body.
+std::string live_scripts(const LiveCharts& charts);
+
 /// Throws std::invalid_argument unless the text is made of letters, digits and hyphens.
 void require_id(std::string_view id);
 

@@ -128,18 +128,24 @@ void HtmlPage::add_offenders(const OffenderList& list) {
 }
 
 void HtmlPage::add_links(const LinkTable& table) {
+  const bool pictures = std::any_of(table.rows.begin(), table.rows.end(),
+                                    [](const LinkRow& row) { return !row.thumbnail_png.empty(); });
   std::string html = fmt::format(
-      "<div class=\"scroll\"><table class=\"links\"><caption>{}</caption><thead><tr>"
-      "<th scope=\"col\">picture</th><th scope=\"col\">{}</th>{}</tr></thead><tbody>\n",
-      escape_html(table.caption), escape_html(table.name_column), header_cells(table.columns));
+      "<div class=\"scroll\"><table{}><caption>{}</caption><thead><tr>"
+      "{}<th scope=\"col\">{}</th>{}</tr></thead><tbody>\n",
+      pictures ? " class=\"links\"" : "", escape_html(table.caption),
+      pictures ? "<th scope=\"col\">picture</th>" : "", escape_html(table.name_column),
+      header_cells(table.columns));
   for (const LinkRow& row : table.rows) {
     const std::string image =
         row.thumbnail_png.empty()
             ? ""
             : fmt::format("<img src=\"{}\" alt=\"{}\">", png_address(row.thumbnail_png, row.name),
                           escape_html(row.name));
-    html += fmt::format("<tr{}><td>{}</td><td>{}</td>{}</tr>\n", row_class(row.kind),
-                        linked(row.address, image), linked(row.address, escape_html(row.name)),
+    const std::string picture =
+        pictures ? fmt::format("<td>{}</td>", linked(row.address, image)) : "";
+    html += fmt::format("<tr{}>{}<td>{}</td>{}</tr>\n", row_class(row.kind), picture,
+                        linked(row.address, escape_html(row.name)),
                         body_cells(table.columns, row.cells));
   }
   body_ += html + "</tbody></table></div>\n";

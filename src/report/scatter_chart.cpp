@@ -145,7 +145,8 @@ std::string chart_svg(const ScatterChart& chart, const Frame& frame) {
   if (chart.limit) {
     const double at = y.place_px(*chart.limit);
     svg += line(kLeft, at, kRight, at, "same");
-    if (!chart.limit_label.empty()) svg += text_at(kLeft + 6, at - 9, chart.limit_label);
+    const double label = at - frame.top < 18.0 ? at + 13.0 : at - 9.0;  // clear of the title
+    if (!chart.limit_label.empty()) svg += text_at(kLeft + 6, label, chart.limit_label);
   }
   for (const ChartPoint& p : chart.points)
     svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\">{}</circle>\n", x.place_px(p.x),

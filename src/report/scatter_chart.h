@@ -32,7 +32,7 @@ struct ScatterChart {
   AxisKind x_axis = AxisKind::Log10, y_axis = AxisKind::Log10;
   bool diagonal = false;        // where x equals y; both axes then have one kind and range
   std::optional<double> limit;  // a y that is marked from side to side
-  std::string limit_label;      // at the left end of that mark
+  std::string limit_label;      // at the left end of that mark, above it if there is room
 };
 
 /// The chart as a file of its own, 640 x 480 and as much more as its legend takes, axes in whole

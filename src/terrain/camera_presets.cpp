@@ -7,6 +7,7 @@
 #include "core/check.h"
 #include "core/parallel.h"
 #include "core/reproducible_math.h"
+#include "terrain/path_presets.h"
 #include "terrain/preset_views.h"
 
 namespace plumb::terrain {
@@ -133,6 +134,7 @@ LookAt preset_camera(const Heightfield& field, const std::string& name, int widt
   }
   const bool is_known = std::any_of(preset_help().begin(), preset_help().end(),
                                     [&](const PresetHelp& preset) { return preset.name == name; });
+  for (const PresetHelp& path : path_preset_help()) known += ", " + path.name;
   if (!is_known) input_error("camera preset '{}': expected {}", name, known);
   const Scene scene = scene_of(field, picture);
   const std::vector<Stand> stands = stands_of(field, name == "valley" ? 24 : 16);

@@ -1,16 +1,17 @@
 // plumb audit: how wrong a method's picture is, where, and whether it kept its promise.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iostream>
 #include <memory>
 
 #include "audit/audit.h"
 #include "audit/audit_json.h"
 #include "audit/audit_page.h"
+#include "audit/frame_audit.h"
 #include "audit/frame_memory.h"
-#include "audit/solid_audit.h"
+#include "audit/method_truth.h"
 #include "audit/verdict_text.h"
+#include "audit_path.h"
 #include "audit_text.h"
 #include "audit_truth.h"
 #include "command.h"
@@ -51,10 +52,7 @@ audit::AuditOptions audit_options(const AuditCommandOptions& options,
   audit::AuditOptions result;
   for (const std::string& text : options.limits) result.limits.push_back(audit::parse_limit(text));
   result.nearest = !options.without_nearest;
-  const std::vector<std::string>& sizes = request.method->size_variants;
-  if (std::find(sizes.begin(), sizes.end(), request.variant) != sizes.end()) return result;
-  (request.tolerance.unit == Unit::Pixel ? result.band.pixels : result.band.metres) =
-      request.tolerance.value;
+  result.band = audit::band_of(*request.method, request.variant, request.tolerance);
   return result;
 }
 
@@ -113,13 +111,6 @@ AuditResult audit_depth(Run& run, const Camera& camera) {
   return result;
 }
 
-AuditResult audit_drawn(const Run& run, const Camera& camera) {
-  const DrawnSurface& surface = run.drawn.surface;
-  return run.truth.mesh() != nullptr
-             ? audit::audit_surface(*run.truth.mesh(), surface, camera, run.measures)
-             : audit::audit_surface(*run.truth.heights(), surface, camera, run.measures);
-}
-
 Audited audit_frame(Run& run, const Camera& camera, const std::string& frame) {
   const std::string where = frame.empty() ? "" : frame + ": ";
   if (run.prepared) {
@@ -130,7 +121,8 @@ Audited audit_frame(Run& run, const Camera& camera, const std::string& frame) {
   }
   run.progress.step(where + "casting the truth and measuring");
   const bool is_depth = run.options.stranger.is_depth();
-  Audited audited{is_depth ? audit_depth(run, camera) : audit_drawn(run, camera),
+  Audited audited{is_depth ? audit_depth(run, camera)
+                           : audit::audit_frame(run.truth, run.drawn.surface, camera, run.measures),
                   {&run.field, run.diagonal, run.request.method->name, run.request.variant,
                    run.request.choice.parameters, run.request.tolerance, camera,
                    run.options.camera.camera, run.invocation.command_line(), run.drawn.assumptions,
@@ -179,55 +171,33 @@ int audit_one(Run& run, const Camera& camera) {
   return exit_status(verdict);
 }
 
-// Frames of a path by their verdicts.
-struct FrameCount {
-  std::size_t held = 0, broken = 0, none = 0;
-  std::string why_none;  // of the first such frame
-
-  void add(const AuditResult& result) {
-    const audit::Verdict verdict = result.verdict();
-    ++(verdict == audit::Verdict::Held ? held : verdict == audit::Verdict::Broken ? broken : none);
-    if (none == 1 && why_none.empty()) why_none = result.no_verdict;
-  }
-  // Frames without a verdict are passed over, unless all are.
-  audit::Verdict verdict() const {
-    if (broken > 0) return audit::Verdict::Broken;
-    return held > 0 ? audit::Verdict::Held : audit::Verdict::None;
-  }
-  std::string text() const {
-    const std::size_t frames = held + broken + none;
-    if (none == frames) return fmt::format("No verdict of any frame: {}.", why_none);
-    std::string text = fmt::format("{} of {} frames keep every claim", held, frames);
-    if (none > 0) text += fmt::format("; {} without a verdict: {}", none, why_none);
-    return text + ".";
-  }
-};
-
-int audit_path(Run& run, const std::vector<Camera>& frames) {
-  std::vector<std::vector<std::string>> rows;
-  std::string json;
-  FrameCount count;
+int audit_path(Run& run, const std::vector<Camera>& frames,
+               const std::vector<audit::Limit>& popping_limits) {
+  const std::string& output = run.options.output;
+  PathReport path(run.truth, popping_limits, run.measures.band);
   for (std::size_t k = 1; k <= frames.size(); ++k) {
-    Audited audited =
-        audit_frame(run, frames[k - 1], fmt::format("frame {} of {}", k, frames.size()));
+    const Camera& camera = frames[k - 1];
+    Audited audited = audit_frame(run, camera, fmt::format("frame {} of {}", k, frames.size()));
     audited.subject.command += fmt::format(" --frame {}", k);
-    write_frame(run, audited, run.options.output + "/" + frame_name(k));
-    count.add(audited.result);
-    rows.push_back(frame_row(k, audited.result));
-    if (run.options.json)
-      json += (json.empty() ? "" : ",\n") + audit::audit_json(audited.result, audited.subject);
+    path.measure(audited.result, run.drawn.surface, camera);
+    write_frame(run, audited, output + "/" + frame_name(k));
+    path.add(audited.result, audited.subject, run.options.json || !output.empty());
   }
+  std::vector<std::string> files;
+  if (!output.empty()) files = path.write(output, run.invocation.command_line());
   run.progress.finish();
   if (run.options.json) {
-    std::cout << "{\"schema\": \"plumb.audit-path/1\", \"frames\": [\n" << json << "]}\n";
+    std::cout << path.json();
   } else {
-    std::cout << text_table(frame_columns(), rows) << fmt::format("\n{}\n", count.text());
-    if (!run.options.output.empty())
-      std::cout << "written to " << run.options.output << "/" << frame_name(1) << " and on\n";
+    std::cout << path.text();
+    std::string list;
+    for (const std::string& file : files) list += " " + file;
+    if (!files.empty())
+      std::cout << "written to " << output << ":" << list << ", " << frame_name(1) << " and on\n";
   }
-  if (run.options.json && count.verdict() == audit::Verdict::None)
-    std::cerr << count.text() << "\n";
-  return exit_status(count.verdict());
+  const audit::Verdict verdict = path.count().verdict();
+  if (run.options.json && verdict == audit::Verdict::None) std::cerr << path.count().text() << "\n";
+  return exit_status(verdict);
 }
 
 int run_audit(const AuditCommandOptions& options, const Invocation& invocation) {
@@ -236,8 +206,10 @@ int run_audit(const AuditCommandOptions& options, const Invocation& invocation) 
     input_error("-o -: audit writes several files, expected a folder (--json prints one object)");
   require_consistent(options.stranger, invocation.arguments);
   const MethodRequest request = method_request(options.method);
-  const audit::AuditOptions measures = audit_options(options, request);
+  audit::AuditOptions measures = audit_options(options, request);
   const std::vector<audit::CameraDescription> described = camera_frames(options.camera);
+  const std::vector<audit::Limit> popping_limits =
+      take_popping_limits(measures.limits, described.size());
   if (options.stranger.is_depth() && described.size() > 1)
     input_error(
         "--depth: a depth buffer is one frame, '{}' has {} cameras (choose one with --frame)",
@@ -248,21 +220,24 @@ int run_audit(const AuditCommandOptions& options, const Invocation& invocation) 
   std::vector<Camera> frames;  // a camera that is none is known before anything is drawn
   for (const audit::CameraDescription& frame : described) {
     frames.push_back(audit::place_camera(frame, field).camera);
-    audit::require_frame_memory(
-        frames.back(), options.stranger.is_depth() ? audit::kDepthAuditBytes : audit::kAuditBytes);
+    audit::require_frame_memory(frames.back(), options.stranger.is_depth() ? audit::kDepthAuditBytes
+                                               : described.size() > 1      ? audit::kPathAuditBytes
+                                                                           : audit::kAuditBytes);
   }
   const terrain::Diagonal diagonal = options.terrain.diagonal.empty()
                                          ? request.method->truth
                                          : terrain::parse_diagonal(options.terrain.diagonal);
   require_fitting(options.terrain, options.stranger, request, field);
   if (field.stacks != nullptr) progress.step("making the truth");
-  const AuditTruth truth(field, diagonal, request);
+  const audit::MethodTruth truth(field, diagonal, audit::built_in_methods(), request.method,
+                                 request.choice);
   Run run{options,       invocation, request, measures, field, diagonal,
           truth.terms(), progress,   nullptr, nullptr,  {}};
   prepare(run, frames.front());
-  for (std::string& line : truth.assumptions(request, options.stranger.is_given()))
+  for (std::string& line : assumptions(run.truth, request, options.stranger.is_given()))
     run.drawn.assumptions.push_back(std::move(line));
-  return frames.size() == 1 ? audit_one(run, frames.front()) : audit_path(run, frames);
+  return frames.size() == 1 ? audit_one(run, frames.front())
+                            : audit_path(run, frames, popping_limits);
 }
 
 }  // namespace

@@ -7,28 +7,14 @@
 
 namespace plumb::tool {
 
-AuditTruth::AuditTruth(const terrain::Heightfield& field, terrain::Diagonal diagonal,
-                       const MethodRequest& request) {
-  if (field.stacks == nullptr) {
-    heights_.emplace(field, diagonal);
-  } else {
-    mesh_.emplace(field, audit::full_detail_of_stacks(audit::built_in_methods(), field,
-                                                      request.method, request.choice));
-  }
-}
-
-audit::TruthTerms AuditTruth::terms() const {
-  return mesh_ ? audit::TruthTerms(*mesh_) : audit::TruthTerms(*heights_);
-}
-
-std::vector<std::string> AuditTruth::assumptions(const MethodRequest& request,
-                                                 bool of_stranger) const {
-  if (mesh_)
+std::vector<std::string> assumptions(const audit::TruthTerms& truth, const MethodRequest& request,
+                                     bool of_stranger) {
+  if (truth.mesh() != nullptr)
     return {fmt::format(
         "the truth is the stacks' finest level as a mesh, by the filter and the "
         "placement {}",
         of_stranger ? "that method stacks has if none is named" : "of the method itself")};
-  const terrain::Diagonal diagonal = heights_->diagonal();
+  const terrain::Diagonal diagonal = truth.heights()->diagonal();
   if (of_stranger || diagonal == request.method->truth) return {};
   return {fmt::format(
       "the claims of {} are judged on a surface whose diagonals are {}; what it approximates has "

@@ -55,6 +55,11 @@ Command golden_command();
 Command profile_command();
 Command build_command();
 Command decode_command();
+Command chart_command();
+Command plan_command();
+Command sweep_command();
+Command merge_command();
+Command stability_command();
 Command soundness_command();
 
 }  // namespace plumb::tool

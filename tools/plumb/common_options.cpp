@@ -8,6 +8,7 @@
 #include "core/check.h"
 #include "core/number_text.h"
 #include "terrain/camera_presets.h"
+#include "terrain/path_presets.h"
 #include "terrain/terrain_source.h"
 
 namespace plumb::tool {
@@ -78,35 +79,43 @@ void add_camera_options(Options& options, CameraOptions& camera) {
   std::string presets;
   for (const terrain::PresetHelp& preset : terrain::preset_help())
     presets += (presets.empty() ? "" : ", ") + preset.name;
+  for (const terrain::PresetHelp& path : terrain::path_preset_help()) presets += ", " + path.name;
   options.group("Camera");
   options.text(camera.camera, "--camera", "CAMERA",
                "A preset (" + presets +
-                   "), a TOML file (a camera, or a path of them), what stands in one as "
-                   "'{eye = [X, Y, Z], ...}', or the numbers ex,ey,ez,tx,ty,tz[,fov] (oblique)");
+                   "), a TOML file (a camera, or a path of them), such a camera as an inline table "
+                   "'{ ... }', or the numbers ex,ey,ez,tx,ty,tz[,fov] (oblique)");
   options.text(camera.size, "--size", "WxH", "Size of the image in pixels (1920x1080)");
   options.number(camera.fov_y_deg, "--fov", "DEG", "Vertical field of view (50)");
   options.number(camera.tilt_deg, "--tilt", "DEG",
                  "Tilt the terrain, its north side up, as a displacement map (0; 90 stands)");
   options.integer(camera.frame, "--frame", "K", "This camera of a path alone, from 1", 1, 100000);
+  options.integer(camera.frames, "--frames", "N",
+                  fmt::format("How many frames flyover and zoom have ({})", terrain::kPathFrames),
+                  1, 100000);
 }
 
 namespace {
 
-std::vector<audit::CameraDescription> cameras_meant(const std::string& text) {
-  if (const auto table = audit::parse_inline_camera(text)) return {*table};
+std::vector<audit::CameraDescription> cameras_meant(const std::string& text, int frames) {
+  if (frames > 0 && !terrain::is_path_preset(text))
+    input_error("--frames {}: it goes with the paths flyover and zoom, not with '{}'", frames,
+                text);
   std::error_code ignored;
+  if (text.starts_with("{")) return {audit::parse_inline_camera(text)};
   if (text.ends_with(".toml") || std::filesystem::is_regular_file(text, ignored))
     return audit::read_camera_path(text);
   if (const auto numbers = audit::parse_camera_numbers(text)) return {*numbers};
   audit::CameraDescription camera;
   camera.preset = text;
-  return {camera};
+  if (frames > 0) camera.frames = frames;
+  return audit::frames_of(camera);
 }
 
 }  // namespace
 
 std::vector<audit::CameraDescription> camera_frames(const CameraOptions& options) {
-  std::vector<audit::CameraDescription> frames = cameras_meant(options.camera);
+  std::vector<audit::CameraDescription> frames = cameras_meant(options.camera, options.frames);
   if (options.frame > static_cast<int>(frames.size()))
     input_error("--frame {}: '{}' has {} camera{}", options.frame, options.camera, frames.size(),
                 frames.size() == 1 ? "" : "s");

@@ -40,7 +40,8 @@ struct CameraOptions {
   std::string size;  // "WxH"; empty: the camera file's, or 1920x1080
   std::optional<double> fov_y_deg;
   std::optional<double> tilt_deg = std::nullopt;
-  int frame = 0;  // of a path, from 1; 0: not said
+  int frame = 0;   // of a path, from 1; 0: not said
+  int frames = 0;  // of a preset that is a path; 0: not said
 
   friend bool operator==(const CameraOptions&, const CameraOptions&) = default;
 };

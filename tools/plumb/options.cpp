@@ -66,6 +66,11 @@ void Options::optional_argument(std::string& into, const std::string& placeholde
   parser_.finish(parser_.app->add_option(placeholder, into, help), "");
 }
 
+void Options::optional_arguments(std::vector<std::string>& into, const std::string& placeholder,
+                                 const std::string& help) {
+  parser_.finish(parser_.app->add_option(placeholder, into, help), "");
+}
+
 void Options::arguments(std::vector<std::string>& into, const std::string& placeholder,
                         const std::string& help) {
   parser_.finish(parser_.app->add_option(placeholder, into, help), "")->required();

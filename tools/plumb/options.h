@@ -21,6 +21,9 @@ class Options {
   /// One that may be left out.
   void optional_argument(std::string& into, const std::string& placeholder,
                          const std::string& help);
+  /// Any number of them.
+  void optional_arguments(std::vector<std::string>& into, const std::string& placeholder,
+                          const std::string& help);
   /// One or more of them.
   void arguments(std::vector<std::string>& into, const std::string& placeholder,
                  const std::string& help);

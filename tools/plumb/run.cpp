@@ -12,31 +12,13 @@
 #include "command.h"
 #include "core/check.h"
 #include "core/instruction_set.h"
+#include "core/shell_text.h"
 #include "version.h"
 
 namespace plumb::tool {
 namespace {
 
 constexpr int kNoVerdict = 2;
-
-bool needs_no_quotes(const std::string& text) {
-  constexpr std::string_view kPlain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./,:=+@%";
-  return !text.empty() && text.find_first_not_of(kPlain) == std::string::npos;
-}
-
-std::string quoted(const std::string& text) {
-  if (needs_no_quotes(text)) return text;
-  std::string result = "'";
-  for (const char c : text) {
-    if (c == '\'') {
-      result += "'\\''";
-    } else {
-      result += c;
-    }
-  }
-  return result + "'";
-}
 
 // A message is one line, whatever a library put into it.
 std::string one_line(std::string_view text) {
@@ -83,9 +65,10 @@ int act(const std::vector<Command>& commands, const Invocation& invocation) {
 }  // namespace
 
 std::string Invocation::command_line() const {
-  std::string line = "plumb";
-  for (std::size_t i = 1; i < arguments.size(); ++i) line += ' ' + quoted(arguments[i]);
-  return line;
+  std::vector<std::string> words = arguments;
+  if (words.empty()) words.emplace_back();
+  words.front() = "plumb";
+  return shell_line(words);
 }
 
 int run_command_line(const std::vector<Command>& commands, const Invocation& invocation) {

@@ -16,7 +16,7 @@ bool is_plain(const CameraDescription& camera) {
 std::string camera_text(const CameraDescription& camera) {
   const bool is_preset = !camera.preset.empty() && !camera.near_m && !camera.far_m;
   if (is_preset) return camera.preset;
-  if (!is_plain(camera) || !camera.eye_m || !camera.target_m) return to_inline_toml(camera);
+  if (!is_plain(camera) || !camera.eye_m || !camera.target_m) return inline_toml(camera);
   const glm::dvec3 e = *camera.eye_m, t = *camera.target_m;
   return fmt::format("{},{},{},{},{},{}", e.x, e.y, e.z, t.x, t.y, t.z);
 }

@@ -6,9 +6,8 @@
 #include <memory>
 
 #include "audit/audit.h"
-#include "audit/mesh_truth.h"
-#include "audit/solid_audit.h"
-#include "audit/truth.h"
+#include "audit/frame_audit.h"
+#include "audit/method_truth.h"
 #include "audit/verdict_text.h"
 #include "core/check.h"
 #include "terrain/terrain_source.h"
@@ -16,32 +15,21 @@
 namespace plumb::audit::soundness {
 namespace {
 
-AuditOptions options_of(const Method& method, const MethodChoice& choice,
-                        const Tolerance& tolerance) {
-  AuditOptions options;
-  options.most_listed = 1;
-  const auto& sizes = method.size_variants;
-  if (std::find(sizes.begin(), sizes.end(), choice.variant) != sizes.end()) return options;
-  (tolerance.unit == Unit::Pixel ? options.band.pixels : options.band.metres) = tolerance.value;
-  return options;
-}
-
 AuditResult audited(const MethodTable& table, const Scene& scene) {
   const Method& method = find_method(table, scene.method);
   const MethodChoice choice = resolved_choice(method, scene.choice);
-  const AuditOptions options = options_of(method, choice, scene.tolerance);
+  AuditOptions options;
+  options.most_listed = 1;
+  options.band = band_of(method, choice.variant, scene.tolerance);
   const terrain::Heightfield field = terrain::load_terrain(scene.terrain, scene.read);
   const Camera camera = place_camera(scene.camera, field).camera;
   require_drawable(method, field);
   const terrain::Diagonal diagonal =
       scene.diagonal.empty() ? method.truth : terrain::parse_diagonal(scene.diagonal);
+  const MethodTruth truth(field, diagonal, table, &method, choice);
   const auto prepared = prepare_method(method, field, choice, scene.tolerance);
   const DrawnSurface surface = prepared->start()->step(camera, scene.tolerance);
-  if (field.stacks != nullptr) {
-    const MeshTruth truth(field, full_detail_of_stacks(table, field, &method, choice));
-    return audit_surface(truth, surface, camera, options);
-  }
-  return audit_surface(HeightfieldTruth(field, diagonal), surface, camera, options);
+  return audit_frame(truth.terms(), surface, camera, options);
 }
 
 Ending ending_of(Verdict verdict) {

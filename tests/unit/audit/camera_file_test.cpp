@@ -148,18 +148,13 @@ TEST(CameraNumbers, AreRefusedIfTheyAreNot) {
 }
 
 TEST(InlineCamera, IsWhatStandsInAFile) {
-  const auto camera =
-      parse_inline_camera("{eye = [1, 2, 3], target = [4, 5, 6.5], near = 0.25, width = 7}");
-  ASSERT_TRUE(camera.has_value());
-  EXPECT_EQ(*camera,
+  EXPECT_EQ(parse_inline_camera("{eye = [1, 2, 3], target = [4, 5, 6.5], near = 0.25, width = 7}"),
             parse_camera_toml("eye = [1, 2, 3]\ntarget = [4, 5, 6.5]\nnear = 0.25\nwidth = 7", ""));
-  EXPECT_FALSE(parse_inline_camera("oblique").has_value());
-  EXPECT_FALSE(parse_inline_camera("1,2,3,4,5,6").has_value());
 }
 
 TEST(InlineCamera, ReadsWhatIsWrittenToTheLastBit) {
   const CameraDescription written = parse_camera_toml(kWhole, "");
-  EXPECT_EQ(parse_inline_camera(to_inline_toml(written)), written);
+  EXPECT_EQ(parse_inline_camera(inline_toml(written)), written);
 }
 
 TEST(InlineCamera, IsRefusedIfItIsNoCamera) {

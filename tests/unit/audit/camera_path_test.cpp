@@ -4,6 +4,7 @@
 
 #include "audit/scene.h"
 #include "core/check.h"
+#include "terrain/terrain_source.h"
 
 namespace plumb::audit {
 namespace {
@@ -76,7 +77,44 @@ TEST(CameraPath, OfACameraFileIsThatCamera) {
   EXPECT_EQ(parse_camera_path("preset = \"valley\"\n", "p.toml").size(), 1u);
 }
 
+TEST(CameraPath, OfAPresetHasItsFrames) {
+  const auto frames = parse_camera_path("preset = \"zoom\"\nframes = 3\nwidth = 64\n", "p.toml");
+  ASSERT_EQ(frames.size(), 3u);
+  EXPECT_EQ(frames[1].frame, 2);
+  EXPECT_EQ(frames[1].frames, 3);
+  EXPECT_EQ(frames[1].width_px, 64);
+  EXPECT_EQ(parse_camera_path("preset = \"flyover\"\n", "p.toml").size(), 60u);
+  EXPECT_EQ(parse_camera_path("preset = \"zoom\"\nframe = 2\n", "p.toml").size(), 1u);
+}
+
+TEST(CameraPath, OfAPresetNeedsAFrameWhereOneCameraIsMeant) {
+  const auto field = terrain::load_terrain("generate:alpine?size=17");
+  CameraDescription zoom;
+  zoom.preset = "zoom";
+  EXPECT_THROW(resolve_camera(zoom, field), InputError);
+  zoom.frame = 4;
+  zoom.frames = 3;
+  EXPECT_THROW(resolve_camera(zoom, field), InputError);
+  zoom.frame = 3;
+  const LookAt last = resolve_camera(zoom, field);
+  zoom.frame = 1;
+  EXPECT_LT(glm::length(last.eye_m - last.target_m),
+            0.51 * glm::length(resolve_camera(zoom, field).eye_m - last.target_m));
+}
+
+TEST(CameraPath, OfAPresetIsWrittenIntoAScene) {
+  Scene scene;
+  scene.terrain = "generate:plane?size=9";
+  scene.method = "full";
+  scene.camera.preset = "flyover";
+  scene.camera.frame = 7;
+  scene.camera.frames = 30;
+  EXPECT_EQ(parse_scene(to_toml(scene), "s.toml").camera, scene.camera);
+}
+
 TEST(CameraPath, SaysWhatIsWrong) {
+  EXPECT_NE(error_of("preset = \"top\"\nframes = 3\n").find("preset that is a path"),
+            std::string::npos);
   EXPECT_NE(error_of("[path]\nframes = 3\n").find("needs [[key]]"), std::string::npos);
   EXPECT_NE(error_of("[path]\n[[key]]\neye=[0,0,1]\ntarget=[0,1,0]\n").find("two keys"),
             std::string::npos);

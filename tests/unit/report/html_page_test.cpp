@@ -167,6 +167,14 @@ TEST(HtmlPage, LinksNameAndPictureToAnotherPage) {
   EXPECT_TRUE(has(text, "<tr><td></td><td>gone</td>"));
 }
 
+TEST(HtmlPage, LinksWithoutPicturesHaveNoColumnForThem) {
+  HtmlPage page("t");
+  page.add_links({"c", "frame", {{"px"}}, {{"1", "frame_0001/report.html", {}, {"2"}}}});
+  const std::string text = page.text();
+  EXPECT_FALSE(has(text, ">picture</th>"));
+  EXPECT_TRUE(has(text, "<tr><td><a href=\"frame_0001/report.html\">1</a></td><td>2</td></tr>"));
+}
+
 TEST(HtmlPage, RefusesAddressesThatLeadElsewhere) {
   HtmlPage page("t");
   EXPECT_THROW(page.add_links({"c", "n", {}, {{"a", "//example.org/", {}, {}}}}),

@@ -104,7 +104,17 @@ TEST(ScatterChart, MarksItsLimitAndHasItOnTheAxis) {
   const std::string svg = to_svg(chart);
   EXPECT_TRUE(contains(svg, "<line class=\"same\" x1=\"84.0\" y1=\"48.0\" x2=\"616.0\""));
   EXPECT_TRUE(contains(svg, "cy=\"230.0\""));
-  EXPECT_TRUE(contains(svg, "<text x=\"90.0\" y=\"39.0\">&lt; allowed</text>"));
+  EXPECT_TRUE(contains(svg, "<text x=\"90.0\" y=\"61.0\">&lt; allowed</text>"));  // below: 48 + 13
+}
+
+// At 2 of an axis to 4, 182 pixels below its end: the text stands above the mark.
+TEST(ScatterChart, NamesALimitAboveItsMark) {
+  ScatterChart chart;
+  chart.x_axis = chart.y_axis = AxisKind::Linear;
+  chart.points = {{1.0, 4.0, ""}};
+  chart.limit = 2.0;
+  chart.limit_label = "allowed";
+  EXPECT_TRUE(contains(to_svg(chart), "<text x=\"90.0\" y=\"221.0\">allowed</text>"));  // 230 - 9
 }
 
 // 20 + 200 + 28 pixels, then 44 + 200 + 64 with texts above and below: and one row of the legend.

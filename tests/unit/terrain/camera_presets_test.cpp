@@ -22,7 +22,7 @@ TEST(CameraPresets, UnknownNamesListTheKnownOnes) {
     preset(generate("generate:plane?size=3"), "obliqe");
     FAIL() << "it was accepted";
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "camera preset 'obliqe': expected oblique, top, grazing, valley");
+    EXPECT_STREQ(error.what(), "camera preset 'obliqe': expected oblique, top, grazing, valley, flyover, zoom");
   }
 }
 
