@@ -97,7 +97,7 @@ TEST(CameraFile, NamesTheKnownKeysForAnUnknownOne) {
             "c.toml, line 3: fov: unknown key; a camera has eye, target, up, fov_y_deg, width, "
             "height, near, far, tilt_deg, view, projection, layout, vectors, clip, reverse_z, "
             "world_axes, "
-            "metres_per_unit, origin, preset");
+            "metres_per_unit, origin, preset, frame, frames");
 }
 
 TEST(CameraFile, SaysWhereAValueIsOfTheWrongKind) {
