@@ -176,7 +176,7 @@ TEST(SoundnessOutcome, IsSoundIfHeldOrForAStatedReason) {
   EXPECT_TRUE(is_sound(outcome));
   outcome.ending = Ending::Refused;
   EXPECT_FALSE(is_sound(outcome));
-  outcome.reason = "generate:plane: patches need 2 x 2 samples, the terrain has 1 x 1";
+  outcome.reason = "patches need 2 x 2 samples, generate:plane has 1 x 1";
   EXPECT_TRUE(is_sound(outcome));
 }
 
