@@ -42,6 +42,25 @@ install_packages() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"
 }
 
+# Brings what draws charts into web/node_modules, as web/package-lock.json has it; does nothing, and asks nobody, if it is
+# there. Without it, or without node, charts are plain: no reason to stop. Debian's npm will not stand beside another
+# maker's node, so that neither is a package of the lists above.
+install_chart_library() {
+  local folder=$root/web
+  [[ ! $folder/package-lock.json -nt $folder/node_modules/.package-lock.json ]] && return 0
+  if ! command -v node > /dev/null && ((EUID == 0)) && command -v apt-get > /dev/null; then
+    say "Installing nodejs and npm"
+    env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends nodejs npm || true
+  fi
+  if ! command -v npm > /dev/null; then
+    echo "There is no npm: charts will be plain. With it, run npm ci --ignore-scripts in web/ and build again." >&2
+    return 0
+  fi
+  say "Installing what draws charts"
+  (cd "$folder" && npm ci --ignore-scripts --no-audit --no-fund) ||
+    echo "npm could not bring it: charts will be plain." >&2
+}
+
 # As many compilers at once as there are processors, and 2 GB of memory for each.
 build_jobs() {
   local jobs memory_gb

@@ -8,7 +8,7 @@
   const table = read("chart-table");
   const templates = read("chart-templates");
   const costs = Object.fromEntries(table.costs.map((cost) => [cost.key, cost]));
-  const state = { terrain: -1, hidden: [], cost: table.cost };
+  const state = { terrain: -1, hidden: [], cost: table.cost, measure: 0, path: 0, asked: table.first_asked };
   const views = (window.plumbViews = {});
 
   const make = (tag, properties = {}, children = []) => {
@@ -87,6 +87,7 @@
 
   function draw(name) {
     const holder = document.getElementById(`chart-${name}`);
+    if (!holder) return; // the results have nothing for it
     views[name]?.finalize();
     const spec = plumbCharts.fill(templates[name], table, { ...state, ...colours(), wide: wide(holder) });
     delete spec.legends; // the page's own is the filter
@@ -96,10 +97,21 @@
       if (typeof item?.tooltip === "number") keep(item.tooltip);
     });
     view.run();
+    performance.mark(`drawn ${name}`);
     views[name] = view;
   }
 
-  const drawAll = () => Object.keys(templates).forEach(draw);
+  // The first chart at once, the others one by one behind it, so that the page answers meanwhile.
+  function drawAll() {
+    const names = Object.keys(templates);
+    const next = () => {
+      if (names.length > 0) draw(names.shift());
+      if (names.length > 0) setTimeout(next);
+      else section.dataset.drawn = "all";
+    };
+    delete section.dataset.drawn;
+    next();
+  }
 
   function change(name, value) {
     state[name] = value;
@@ -182,7 +194,7 @@
     const cost = costs[state.cost];
     status.textContent =
       `${shown} of ${series.length} finished runs are shown.` +
-      (without > 0 ? ` ${without} have no error or no number for “${cost.name}” (slices have no triangles, for one).` : "") +
+      (without > 0 ? ` ${without} show nothing of the terrain or have no number for “${cost.name}” (slices have no triangles, for one).` : "") +
       (cost.time && together > 0
         ? ` ${together} of these times were taken while other runs used the machine (crosses): they say little; plumb sweep --time measures one run at a time.`
         : "");
@@ -197,7 +209,27 @@
     section.append(bar, legend(), status);
   }
 
+  // The choices of one chart alone, above it.
+  function above(name, ...choices) {
+    document.getElementById(`chart-${name}`)?.before(make("div", { className: "toolbar" }, choices));
+  }
+
+  const numbered = (list, text) => list.map((one, row) => [String(row), text(one)]);
+
+  function ownControls() {
+    const measures = numbered(table.measures, ({ name, unit }) => `${name}, ${unit}`);
+    above("claims", choice("Claim", measures, "0", (value) => change("measure", Number(value))));
+    above(
+      "path",
+      choice("Path", numbered(table.paths, ({ title }) => title), "0", (value) => change("path", Number(value))),
+      choice("Tolerance asked", numbered(table.asked, ({ value, unit }) => `${value} ${unit}`), String(state.asked), (value) =>
+        change("asked", Number(value)),
+      ),
+    );
+  }
+
   controls();
+  ownControls();
   say();
   drawAll();
   dark.addEventListener("change", drawAll);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "audit/audit_pictures.h"
+#include "audit/cost_maps.h"
 #include "core/parallel.h"
 #include "image/image_files.h"
 
@@ -25,6 +26,23 @@ Shown shown_map(const std::string& file, const std::string& name, ErrorMap map,
                 const std::string& title) {
   return {
       file, name, title + ".", std::move(map.picture), std::move(map.legend), std::move(map.both)};
+}
+
+// Where the work of drawing lies.
+void add_cost_maps(std::vector<Shown>& shown, const AuditResult& result,
+                   const AuditSubject& subject, const DrawnSurface& surface) {
+  const auto add = [&](const char* file, const char* name, const std::vector<float>& values,
+                       const std::string& title, const char* unit) {
+    if (!values.empty())
+      shown.push_back(shown_map(file, name, error_map(result, values, title, 0.0, unit), title));
+  };
+  const std::vector<std::uint16_t>& overdraw = result.drawn.overdraw;
+  add("overdraw.png", "overdraw", {overdraw.begin(), overdraw.end()},
+      "Fragments tested for each pixel", "fragments");
+  if (result.of_mesh)
+    add("triangle-density.png", "triangles a pixel",
+        triangles_a_pixel(surface, result.drawn, subject.camera), "Triangles a pixel",
+        "triangles a pixel");
 }
 
 std::vector<std::uint8_t> png_of(const image::Rgb8Image& picture) {
@@ -63,15 +81,9 @@ std::vector<Shown> gallery(const AuditResult& result, const AuditSubject& subjec
     add_map("reverse-error.png", "from the truth", result.nearest.reverse_px, reverse);
   shown.push_back({"summary.png", "", "", side_by_side(summary)});
   std::move(maps.begin(), maps.end(), std::back_inserter(shown));
-  if (!surface.kinds.empty()) {
-    const std::vector<std::uint16_t>& overdraw = result.drawn.overdraw;
-    const std::string fragments = "Fragments tested for each pixel";
+  if (!surface.kinds.empty())
     shown.push_back({"boxes.png", "boxes", kinds_legend(surface), kinds_picture(result, surface)});
-    shown.push_back(shown_map(
-        "overdraw.png", "overdraw",
-        error_map(result, {overdraw.begin(), overdraw.end()}, fragments, 0.0, "fragments"),
-        fragments));
-  }
+  add_cost_maps(shown, result, subject, surface);
   shown.push_back({result.of_mesh ? "triangles.png" : "levels.png",
                    result.of_mesh ? "triangles" : "levels",
                    result.of_mesh ? "Each triangle outlined; the lighter, the coarser its level."

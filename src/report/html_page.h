@@ -86,6 +86,12 @@ struct LinkTable {
   std::vector<LinkRow> rows;
 };
 
+/// A picture that stands among others.
+struct CaptionedPicture {
+  std::string caption;
+  std::vector<std::uint8_t> png;  // the bytes of a PNG file
+};
+
 /// Charts that a drawing library makes of one table while the page is open.
 struct LiveCharts {
   std::string table_json;      // what web/chart-data.js reads
@@ -118,6 +124,8 @@ class HtmlPage {
   void add_offenders(const OffenderList& list);
   /// One picture by itself (a chart, say). Throws std::invalid_argument if it is no PNG.
   void add_picture(std::string_view caption, const std::vector<std::uint8_t>& png);
+  /// Pictures side by side, as far as there is room. Throws as above.
+  void add_pictures(std::string_view caption, const std::vector<CaptionedPicture>& pictures);
   /// A chart drawn as SVG. Throws std::invalid_argument if it does not begin as one.
   void add_chart(std::string_view caption, std::string_view svg);
   /// Throws std::invalid_argument if a row has not as many cells as there are columns, a picture is

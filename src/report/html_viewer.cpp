@@ -111,6 +111,17 @@ void HtmlPage::add_chart(std::string_view caption, std::string_view svg) {
       base64(bytes), escape_html(caption), escape_html(caption));
 }
 
+void HtmlPage::add_pictures(std::string_view caption,
+                            const std::vector<CaptionedPicture>& pictures) {
+  body_ += fmt::format("<h3>{}</h3>\n<div class=\"figures\">\n", escape_html(caption));
+  for (const CaptionedPicture& picture : pictures)
+    body_ +=
+        fmt::format("<figure><img src=\"{}\" alt=\"{}\"><figcaption>{}</figcaption></figure>\n",
+                    png_address(picture.png, picture.caption), escape_html(picture.caption),
+                    escape_html(picture.caption));
+  body_ += "</div>\n";
+}
+
 void HtmlPage::add_offenders(const OffenderList& list) {
   require_id(list.viewer_id);
   std::string html = fmt::format(

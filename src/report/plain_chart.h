@@ -17,7 +17,7 @@ struct PlainPoint {
 struct PlainSeries {
   std::string name, colour;          // colour as SVG writes it
   std::string shape = "circle";      // as Vega names it: "square", "triangle-up" ...
-  std::string dash;                  // of the line, as SVG writes it
+  std::string dash{};                // of the line, as SVG writes it
   bool filled = true;                // the markers of the curve
   std::vector<PlainPoint> points{};  // small and pale
   std::vector<PlainPoint> curve{};   // large and joined in this order

@@ -2,6 +2,8 @@
 // and what one vertex a cell makes of two sheets.
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+
 #include <cmath>
 
 #include "support/stack_surfaces.h"
@@ -202,6 +204,43 @@ TEST(StacksFail, NotOnADensityOfExactlyOneHalf) {
     EXPECT_EQ(check.highest_m, 8.5);
     EXPECT_EQ(finest_of(half, filtered(0, variant)).highest_m, 2.0);
   }
+}
+
+int without_area(const TriangleMesh& mesh) {
+  int count = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const glm::dvec3 a = mesh.vertices_m[t[0]];
+    const glm::dvec3 normal = glm::cross(mesh.vertices_m[t[1]] - a, mesh.vertices_m[t[2]] - a);
+    count += normal == glm::dvec3(0.0) ? 1 : 0;
+  }
+  return count;
+}
+
+// A cross of seven voxels of air in rock: 8 + 6 * 4 of 64 are exactly half in its middle, which is
+// outside, and every voxel beside that is inside. All crossings lie at that sample, and with them
+// the vertices of the eight cells around it: a box of 12 triangles in one point.
+TEST(StacksFail, VerticesFallTogetherWhereADensityIsExactlyOneHalf) {
+  const StackField cross = stacks_where(9, 9, 9, [](int i, int j) {
+    const int away = std::abs(i - 4) + std::abs(j - 4);
+    if (away > 1) return Layers{{0, 9, kRock}};
+    const float half = away == 0 ? 1.5F : 0.5F;
+    return Layers{{0, 4.5F - half, kRock}, {4.5F + half, 9, kRock}};
+  });
+  const TriangleMesh mesh = surface_on(prepare(cross, filtered(1)), 0);
+  EXPECT_EQ(without_area(mesh), 12);
+  EXPECT_TRUE(finest_of(cross, filtered(1)).is_manifold());
+  EXPECT_EQ(without_area(surface_on(prepare(cross, filtered(0)), 0)), 0);
+}
+
+// Where columns are rock or air for three voxels and more, a Gauss filter's densities are
+// sixteenths, and many are a half; a box filter's are ninths, and none is.
+TEST(StacksFail, SteepCavesHaveTrianglesWithoutArea) {
+  const StackField caves =
+      terrain::generate_stacks("generate:caves?size=65&spacing=30&relief=3000");
+  Parameters box = filtered(1);
+  box.filter.kernel = dual_contouring::Kernel::Box;
+  EXPECT_EQ(without_area(surface_on(prepare(caves, filtered(1)), 0)), 1709);
+  EXPECT_EQ(without_area(surface_on(prepare(caves, box), 0)), 0);
 }
 
 TEST(StacksFail, NotWhereAllIsAirOrAllIsRock) {

@@ -1,6 +1,7 @@
 // plumb chart: what a sweep measured, as a page and as pictures for print.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -8,7 +9,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "audit/chart/chart_data.h"
 #include "audit/chart/chart_page.h"
+#include "chart_maps.h"
 #include "chart_print.h"
 #include "child_process.h"
 #include "command.h"
@@ -25,7 +28,7 @@ namespace chart = audit::chart;
 namespace fs = std::filesystem;
 
 struct ChartOptions {
-  std::string results, output;
+  std::string results, output, cost, maps;
   bool json = false;
 };
 
@@ -34,23 +37,47 @@ std::string text_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+std::vector<std::string> cost_names() {
+  std::vector<std::string> names;
+  for (const chart::CostKind& cost : chart::kCosts) names.push_back(cost.key);
+  return names;
+}
+
+// The row of kCosts that is meant.
+std::size_t cost_of(const ChartOptions& options, const chart::RunTable& table) {
+  if (options.cost.empty()) return chart::first_cost(table);
+  const std::vector<std::string> names = cost_names();
+  const auto at = std::find(names.begin(), names.end(), options.cost);
+  const auto cost = static_cast<std::size_t>(at - names.begin());
+  const std::vector<std::size_t> there = chart::costs_there(table);
+  if (std::find(there.begin(), there.end(), cost) == there.end())
+    input_error("--cost {}: no run of '{}' has it", options.cost, options.results);
+  return cost;
+}
+
 // What was written, and what was left out and why.
 struct Written {
   std::vector<std::string> files, left_out;
 };
 
-void write_page(const ChartOptions& options, const Invocation& invocation,
-                const chart::RunTable& table, const std::vector<chart::Setting>& settings,
-                Written& written) {
+chart::PageInput page_input(const ChartOptions& options, const Invocation& invocation,
+                            const chart::RunTable& table,
+                            const std::vector<chart::Setting>& settings) {
   const std::string library = file_of_command("vega.min.js");
-  if (library.empty())
+  return {table,
+          settings,
+          cost_of(options, table),
+          options.results,
+          invocation.command_line(),
+          library.empty() ? "" : text_of(library)};
+}
+
+void write_page(const ChartOptions& options, const chart::PageInput& input, Written& written) {
+  if (input.library.empty())
     written.left_out.push_back(
-        "the page's filters and the choice of cost: vega.min.js is not beside the command (run npm "
-        "ci in web/ and build again)");
-  const std::string page =
-      chart::chart_page({table, settings, options.results, invocation.command_line(),
-                         library.empty() ? "" : text_of(library)});
-  write_file_atomically(fs::path(options.output) / "charts.html", page);
+        "the page's filters and choices: vega.min.js is not beside the command (npm ci "
+        "--ignore-scripts in web/, and build again)");
+  write_file_atomically(fs::path(options.output) / "charts.html", chart::chart_page(input));
   written.files.push_back("charts.html");
 }
 
@@ -84,12 +111,20 @@ int run_chart(const ChartOptions& options, const Invocation& invocation) {
   const chart::RunTable table = chart::read_runs(options.results);
   if (table.torn) warn(fmt::format("'{}': the last line is torn and left out", options.results));
   const std::vector<chart::Setting> settings = chart::settings_of(table);
+  const std::vector<std::size_t> mapped =
+      options.maps.empty() ? std::vector<std::size_t>{} : runs_for_maps(table, options.maps);
+  chart::PageInput input = page_input(options, invocation, table, settings);
   make_folder(options.output);
   Written written;
+  if (!options.maps.empty()) {
+    progress.finish();
+    input.maps_of = options.maps;
+    input.mapped = make_maps(options.output, table, mapped, written.files, written.left_out);
+  }
   progress.step("drawing the page");
-  write_page(options, invocation, table, settings, written);
+  write_page(options, input, written);
   progress.step("drawing for print");
-  print_charts(options.output, table, settings, written.files, written.left_out);
+  print_charts(options.output, input, written.files, written.left_out);
   progress.finish();
   print(options, table, written);
   return 0;
@@ -101,10 +136,21 @@ Command chart_command() {
   Command command;
   command.name = "chart";
   command.summary = "Draw what a sweep measured: cost against error, claims, camera paths";
-  command.example = "plumb chart --help";
+  command.example =
+      "printf '%s\\n' 'terrains = [\"generate:alpine?size=65\"]' 'methods = "
+      "[\"restricted-quadtree\", \"full\"]' 'tolerances_px = [1, 4]' 'width = 160' 'height = "
+      "90' > sweep.toml && plumb sweep sweep.toml -o results.jsonl && plumb chart results.jsonl "
+      "-o charts";
   command.declare = [](Options& options) -> Action {
     const auto values = std::make_shared<ChartOptions>();
     options.argument(values->results, "RESULTS", "What plumb sweep wrote, a .jsonl file");
+    options.choice(values->cost, "--cost", cost_names(),
+                   "What the charts show as cost; the page offers all (draw_cpu_s, or triangles if "
+                   "all times were taken while sharing the machine)");
+    options.text(
+        values->maps, "--maps", "RUNS",
+        "Run some again, in this folder, for maps of error and cost: worst (of each method "
+        "and variant), TERRAIN/CAMERA (of each at the tolerance nearest to 1), or a key");
     options.group("Output");
     add_output_option(options, values->output,
                       "Folder for charts.html and each chart as SVG and PNG");

@@ -52,23 +52,20 @@ std::string write_png(const fs::path& svg, const fs::path& png) {
 
 }  // namespace
 
-void print_charts(const std::string& folder, const chart::RunTable& table,
-                  const std::vector<chart::Setting>& settings, std::vector<std::string>& files,
-                  std::vector<std::string>& left_out) {
+void print_charts(const std::string& folder, const chart::PageInput& input,
+                  std::vector<std::string>& files, std::vector<std::string>& left_out) {
   const WorkFolder work;
-  const std::string why_plain = draw_by_vega(work, chart::print_job(table, settings));
+  const std::string why_plain = draw_by_vega(work, chart::print_job(input));
   std::string no_png;
-  for (const chart::ChartWords& words : chart::charts()) {
-    const std::string plain = chart::plain_chart(words.name, table, settings);
-    if (plain.empty()) continue;  // nothing to show
-    const std::string name = words.name;
-    const fs::path svg = fs::path(folder) / (name + ".svg"),
-                   png = fs::path(folder) / (name + ".png");
-    write_file_atomically(svg, why_plain.empty() ? text_of(work.file(name + ".svg")) : plain);
-    files.push_back(name + ".svg");
+  for (const chart::PrintedChart& printed : chart::printed_charts(input.table)) {
+    const std::string name = printed.file + ".svg";
+    const fs::path svg = fs::path(folder) / name, png = fs::path(folder) / (printed.file + ".png");
+    write_file_atomically(
+        svg, why_plain.empty() ? text_of(work.file(name)) : chart::plain_chart(printed, input));
+    files.push_back(name);
     if (!no_png.empty()) continue;
     no_png = write_png(svg, png);
-    if (no_png.empty()) files.push_back(name + ".png");
+    if (no_png.empty()) files.push_back(printed.file + ".png");
   }
   if (!why_plain.empty())
     left_out.push_back(fmt::format("Vega's drawing for print: {}; the SVG are plain", why_plain));

@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "audit/chart/camera_paths.h"
+
 namespace plumb::audit::chart {
 namespace {
 
@@ -178,6 +180,7 @@ Json costs_json(const RunTable& table) {
   for (const std::size_t cost : costs_there(table))
     list.push_back({{"key", kCosts[cost].key},
                     {"name", kCosts[cost].name},
+                    {"unit", kCosts[cost].unit},
                     {"time", kCosts[cost].is_time},
                     {"axis", axis_json(cost_axis(table, cost))}});
   return list;
@@ -191,11 +194,21 @@ Json measures_json(const std::vector<ClaimMeasure>& measures) {
   return list;
 }
 
-report::OpenAxis popping_axis(const RunTable& table) {
-  std::vector<double> values;
-  for (const Run& run : table.runs)
-    if (run.popping_px) values.push_back(*run.popping_px);
-  return report::open_axis(values);
+Json paths_json(const RunTable& table) {
+  Json list = Json::array();
+  for (const CameraPath& path : paths_of(table))
+    list.push_back({{"terrain", path.terrain},
+                    {"camera", path.camera},
+                    {"title", path.title},
+                    {"axis", axis_json(path.frames)}});
+  return list;
+}
+
+Json asked_json(const std::vector<Asked>& all) {
+  Json list = Json::array();
+  for (const Asked& asked : all)
+    list.push_back({{"value", number(asked.value)}, {"unit", asked.unit}});
+  return list;
 }
 
 }  // namespace
@@ -235,6 +248,13 @@ std::size_t first_cost(const RunTable& table) {
   return has(kTriangles) || there.empty() ? kTriangles : there.front();
 }
 
+report::OpenAxis popping_axis(const RunTable& table) {
+  std::vector<double> values;
+  for (const Run& run : table.runs)
+    if (run.popping_px) values.push_back(*run.popping_px);
+  return report::open_axis(values);
+}
+
 report::OpenAxis error_axis(const RunTable& table) {
   std::vector<double> values;
   for (const Run& run : table.runs)
@@ -269,13 +289,14 @@ std::vector<ClaimMeasure> claim_measures(const RunTable& table) {
   return measures;
 }
 
-std::string chart_data(const RunTable& table, const std::vector<Setting>& settings) {
+std::string chart_data(const RunTable& table, const std::vector<Setting>& settings,
+                       std::size_t cost) {
   const std::vector<ClaimMeasure> measures = claim_measures(table);
   Json terrains = Json::array();
   for (const Terrain& terrain : table.terrains)
     terrains.push_back({{"name", terrain.name}, {"kind", terrain.kind}});
   Words words;
-  Json data{{"cost", kCosts[first_cost(table)].key},
+  Json data{{"cost", kCosts[cost].key},
             {"costs", costs_json(table)},
             {"error", axis_json(error_axis(table))},
             {"popping", axis_json(popping_axis(table))},
@@ -285,6 +306,9 @@ std::string chart_data(const RunTable& table, const std::vector<Setting>& settin
             {"limits", kErrorLimits},
             {"cameras", table.cameras},
             {"measures", measures_json(measures)},
+            {"paths", paths_json(table)},
+            {"asked", asked_json(asked_on_paths(table))},
+            {"first_asked", first_asked(asked_on_paths(table))},
             {"runs", runs_json(table, words)},
             {"settings", settings_json(table, settings)},
             {"claims", claims_json(table, measures)},

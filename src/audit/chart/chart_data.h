@@ -31,6 +31,7 @@ std::vector<std::size_t> costs_there(const RunTable& table);
 /// The axis around all runs' errors, or their costs.
 report::OpenAxis error_axis(const RunTable& table);
 report::OpenAxis cost_axis(const RunTable& table, std::size_t cost);
+report::OpenAxis popping_axis(const RunTable& table);
 
 /// What claims are about: a measure and its unit, "pixel-error, px".
 struct ClaimMeasure {
@@ -42,8 +43,9 @@ struct ClaimMeasure {
 /// Sorted so that pixels come first, then those with more claims, then by name.
 std::vector<ClaimMeasure> claim_measures(const RunTable& table);
 
-/// One JSON object, numbers to six digits, "inf" for +inf; web/chart-data.js reads it. The same
-/// table gives the same bytes.
-std::string chart_data(const RunTable& table, const std::vector<Setting>& settings);
+/// One JSON object that begins with this cost, numbers to six digits, "inf" for +inf;
+/// web/chart-data.js reads it. The same table gives the same bytes.
+std::string chart_data(const RunTable& table, const std::vector<Setting>& settings,
+                       std::size_t cost);
 
 }  // namespace plumb::audit::chart

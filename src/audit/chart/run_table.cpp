@@ -10,6 +10,7 @@
 #include <set>
 #include <tuple>
 
+#include "audit/sweep/result_file.h"
 #include "core/check.h"
 
 namespace plumb::audit::chart {
@@ -32,13 +33,17 @@ std::optional<double> number(const json& object, const char* name) {
                                                 : std::nullopt;
 }
 
-// The largest error of a distribution; a null beside a count is an infinite one.
+// What is left of an exact method's error by rounding is none.
+double without_rounding(double error) { return error < kRounding ? 0.0 : error; }
+
+// The largest error of a distribution; a null beside a count is an infinite one. None where nothing
+// was measured: a view that shows nothing of the terrain.
 std::optional<double> largest(const json* distribution) {
   if (distribution == nullptr) return std::nullopt;
-  if (const auto most = number(*distribution, "max")) return most;
-  const bool any = number(*distribution, "count").value_or(0.0) > 0.0 ||
+  const bool any = number(*distribution, "count").value_or(1.0) > 0.0 ||
                    number(*distribution, "infinite").value_or(0.0) > 0.0;
-  return any ? std::optional(kInfinite) : std::nullopt;
+  if (!any) return std::nullopt;
+  return without_rounding(number(*distribution, "max").value_or(kInfinite));
 }
 
 std::optional<double> error_of(const json& errors) {
@@ -46,17 +51,12 @@ std::optional<double> error_of(const json& errors) {
   return vertical ? vertical : largest(member(errors, "pixel_nearest_px"));
 }
 
-// A number of popping stands by itself or as the largest of a distribution.
+// As an audit of a path has it: a null beside infinite pixels is infinite.
 std::optional<double> popping_of(const json& line) {
   const json* popping = member(line, "popping");
   if (popping == nullptr) return std::nullopt;
-  if (popping->is_number()) return popping->get<double>();
-  for (const char* name : {"pixel_px", "max_px", "px"}) {
-    const json* part = member(*popping, name);
-    if (part == nullptr) continue;
-    return part->is_number() ? std::optional(part->get<double>()) : largest(part);
-  }
-  return largest(popping);
+  if (const auto most = number(*popping, "max_px")) return without_rounding(*most);
+  return number(*popping, "infinite").value_or(0.0) > 0.0 ? std::optional(kInfinite) : std::nullopt;
 }
 
 std::array<std::optional<double>, kCosts.size()> costs_of(const json& cost, const json& timing) {
@@ -68,19 +68,11 @@ std::array<std::optional<double>, kCosts.size()> costs_of(const json& cost, cons
   const auto unless_zero = [](std::optional<double> value) {
     return value == 0.0 ? std::nullopt : value;
   };
-  // Triangles alone say nothing of what slices cost.
-  const bool slices = number(cost, "slices").value_or(0.0) > 0.0;
-  const auto of_mesh = [&](const char* name) { return slices ? std::nullopt : number(cost, name); };
-  return {number(part("draw"), "cpu_s"),
-          number(part("draw"), "wall_s"),
-          number(part("prepare"), "cpu_s"),
-          of_mesh("triangles"),
-          of_mesh("vertices"),
-          unless_zero(number(cost, "slices")),
-          number(cost, "fragments"),
-          unless_zero(number(cost, "nodes_visited")),
-          number(cost, "bytes_resident"),
-          unless_zero(number(cost, "bytes_encoded"))};
+  return {number(part("draw"), "cpu_s"),    number(part("draw"), "wall_s"),
+          number(part("prepare"), "cpu_s"), number(cost, "triangles"),
+          number(cost, "vertices"),         unless_zero(number(cost, "slices")),
+          number(cost, "fragments"),        unless_zero(number(cost, "nodes_visited")),
+          number(cost, "bytes_resident"),   unless_zero(number(cost, "bytes_encoded"))};
 }
 
 std::vector<ClaimedAndMeasured> claims_of(const json& line) {
@@ -93,9 +85,9 @@ std::vector<ClaimedAndMeasured> claims_of(const json& line) {
     if (unit != "px" && unit != "m") continue;
     const json* holds = member(claim, "holds");
     if (holds == nullptr) continue;  // not measured
-    claims.push_back({claim.value("measure", ""), unit,
-                      number(claim, "claimed").value_or(kInfinite),
-                      number(claim, "measured").value_or(kInfinite), holds->get<bool>()});
+    claims.push_back(
+        {claim.value("measure", ""), unit, number(claim, "claimed").value_or(kInfinite),
+         without_rounding(number(claim, "measured").value_or(kInfinite)), holds->get<bool>()});
   }
   return claims;
 }
@@ -123,7 +115,8 @@ class Names {
 
 class Reader {
  public:
-  void add(const json& line) {
+  /// `run` names it for people.
+  void add(const json& line, const std::string& run) {
     const json& asked = line.at("asked");
     if (!keys_.insert(line.at("key").get<std::string>()).second) {
       ++table_.repeated;
@@ -136,7 +129,7 @@ class Reader {
     } else if (status == "failed" || status == "skipped") {
       const bool skipped = status == "skipped";
       (skipped ? table_.skipped : table_.failed)
-          .push_back({words_of(asked), line.value("error", "no reason given"), skipped});
+          .push_back({run, line.value("error", "no reason given"), skipped});
     } else {
       input_error("the status '{}' is none of done, failed and skipped", status);
     }
@@ -144,24 +137,13 @@ class Reader {
 
   RunTable table() && {
     sort_series();
+    leave_out_triangles_of_slices();
     for (const std::string& program : programs_)
       table_.program += (table_.program.empty() ? "" : ", ") + program;
     return std::move(table_);
   }
 
  private:
-  static std::string words_of(const json& asked) {
-    const json& tolerance = asked.at("tolerance");
-    const json& camera = asked.at("camera");
-    const std::string variant = asked.value("variant", "");
-    const int frame = camera.value("frame", 0);
-    return fmt::format("{}, {}{}{}, {:.6g}{}, {}{}",
-                       asked.at("terrain").at("name").get<std::string>(),
-                       asked.at("method").get<std::string>(), variant.empty() ? "" : " ", variant,
-                       tolerance.at("value").get<double>(), tolerance.at("unit").get<std::string>(),
-                       camera.value("name", "?"), frame > 0 ? fmt::format(" frame {}", frame) : "");
-  }
-
   int terrain_row(const json& terrain) {
     const std::string name = terrain.at("name").get<std::string>();
     const auto row = static_cast<std::size_t>(terrain_names_.row(name));
@@ -208,6 +190,16 @@ class Reader {
     table_.runs.push_back(std::move(run));
   }
 
+  // Triangles alone say nothing of what slices cost: a series that draws slices anywhere has none.
+  void leave_out_triangles_of_slices() {
+    constexpr std::size_t kTriangles = 3, kVertices = 4, kSlices = 5;
+    std::set<int> of_slices;
+    for (const Run& run : table_.runs)
+      if (run.costs[kSlices]) of_slices.insert(run.series);
+    for (Run& run : table_.runs)
+      if (of_slices.contains(run.series)) run.costs[kTriangles] = run.costs[kVertices] = {};
+  }
+
   // Sorts the series and names each by as much as tells it from the others.
   void sort_series() {
     std::vector<Series>& all = table_.series;
@@ -245,42 +237,25 @@ class Reader {
   std::set<std::string> keys_, programs_;
 };
 
-json parsed(std::string_view line) {
-  json value = json::parse(line, nullptr, false);
-  if (value.is_discarded() || !value.is_object()) input_error("expected one JSON object");
-  const std::string schema = value.contains("schema") && value["schema"].is_string()
-                                 ? value["schema"].get<std::string>()
-                                 : "none";
-  if (schema != "plumb.sweep/1") input_error("expected schema 'plumb.sweep/1', got '{}'", schema);
-  return value;
-}
-
 }  // namespace
 
 RunTable parse_runs(std::string_view text, const std::string& name) {
   if (text.empty()) input_error("'{}' is empty: expected the results of plumb sweep", name);
+  const sweep::ResultLines results = sweep::parse_results(text, name);
   Reader reader;
-  bool torn = false;
-  for (int line = 1; !text.empty(); ++line) {
-    const std::size_t end = text.find('\n');
-    if (end == std::string_view::npos) {
-      torn = true;
-      break;
-    }
+  for (const sweep::ResultLine& line : results.lines) {
     try {
-      reader.add(parsed(text.substr(0, end)));
-    } catch (const InputError& error) {
-      input_error("'{}' line {}: {}", name, line, error.what());
+      reader.add(json::parse(line.text), line.run);
     } catch (const json::exception& error) {
-      input_error("'{}' line {}: not as plumb.sweep/1 has it: {}", name, line, error.what());
+      input_error("'{}': the line of {} is not as plumb.sweep/1 has it: {}", name, line.run,
+                  error.what());
     }
-    text.remove_prefix(end + 1);
   }
   RunTable table = std::move(reader).table();
-  table.torn = torn;
+  table.torn = results.whole_bytes < text.size();
   if (table.runs.empty())
     input_error("'{}' has no finished run ({} failed, {} skipped{})", name, table.failed.size(),
-                table.skipped.size(), torn ? ", a torn last line" : "");
+                table.skipped.size(), table.torn ? ", a torn last line" : "");
   return table;
 }
 

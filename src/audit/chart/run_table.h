@@ -15,21 +15,25 @@ namespace plumb::audit::chart {
 struct CostKind {
   const char* key;   // letters and underscores
   const char* name;  // for people, with its unit
+  const char* unit;  // "s", "bytes" or "" of what is counted
   bool is_time = false;
 };
 
 inline constexpr std::array<CostKind, 10> kCosts{{
-    {"draw_cpu_s", "CPU time of drawing, s", true},
-    {"draw_wall_s", "Wall time of drawing, s", true},
-    {"prepare_cpu_s", "CPU time of preparing, s", true},
-    {"triangles", "Triangles drawn"},
-    {"vertices", "Vertices drawn"},
-    {"slices", "Slices drawn"},
-    {"fragments", "Fragments drawn, overdraw included"},
-    {"nodes_visited", "Nodes of the hierarchy visited"},
-    {"bytes_resident", "Memory for drawing, bytes"},
-    {"bytes_encoded", "Prepared file, bytes"},
+    {"draw_cpu_s", "CPU time of drawing, s", "s", true},
+    {"draw_wall_s", "Wall time of drawing, s", "s", true},
+    {"prepare_cpu_s", "CPU time of preparing, s", "s", true},
+    {"triangles", "Triangles drawn", ""},
+    {"vertices", "Vertices drawn", ""},
+    {"slices", "Slices drawn", ""},
+    {"fragments", "Fragments drawn, overdraw included", ""},
+    {"nodes_visited", "Nodes of the hierarchy visited", ""},
+    {"bytes_resident", "Memory for drawing, bytes", "bytes"},
+    {"bytes_encoded", "Prepared file, bytes", "bytes"},
 }};
+
+/// An error below this, in pixels or metres, is what rounding left of none: it counts as zero.
+inline constexpr double kRounding = 1e-6;
 
 /// A claim of a method about the whole frame, beside what was measured; +inf for no finite number.
 struct ClaimedAndMeasured {
@@ -56,7 +60,7 @@ struct Run {
   int frame = 0;                            // of a path, from 1; else 0
   bool on_path = false;
   double tolerance = 0.0;
-  std::optional<double> error_px;                          // +inf: infinite; none: not measured
+  std::optional<double> error_px;  // +inf: infinite; none: nothing to measure
   std::array<std::optional<double>, kCosts.size()> costs;  // none: does not apply
   bool shared = false;                                     // other runs used the machine meanwhile
   std::vector<ClaimedAndMeasured> claims;

@@ -31,17 +31,17 @@ Setting summarised(const std::vector<const Run*>& runs) {
   setting.terrain = runs.front()->terrain;
   setting.series = runs.front()->series;
   setting.tolerance = runs.front()->tolerance;
-  setting.runs = static_cast<int>(runs.size());
   std::vector<double> values;
   for (const Run* run : runs) {
     setting.shared |= run->shared;
     if (run->error_px) values.push_back(*run->error_px);
   }
   setting.error_px = median_of(values);
+  setting.runs = static_cast<int>(values.size());
   for (std::size_t cost = 0; cost < kCosts.size(); ++cost) {
     values.clear();
     for (const Run* run : runs)
-      if (run->costs[cost]) values.push_back(*run->costs[cost]);
+      if (run->error_px && run->costs[cost]) values.push_back(*run->costs[cost]);
     setting.costs[cost] = median_of(values);
   }
   return setting;

@@ -28,10 +28,10 @@ double median(std::vector<double> values);
 struct Setting {
   int terrain = 0, series = 0;
   double tolerance = 0.0;
-  int runs = 0;
+  int runs = 0;                    // with an error: a view of nothing has none
   bool shared = false;             // some of its times were taken while other runs went on
   std::optional<double> error_px;  // median; none where no run has one
-  std::array<std::optional<double>, kCosts.size()> costs;  // medians; none: as above
+  std::array<std::optional<double>, kCosts.size()> costs;  // medians over runs with an error
   std::array<bool, kCosts.size()> on_front{};              // of its terrain, in that cost
 };
 

@@ -106,7 +106,7 @@ Prepared prepare(terrain::StackField field, const Parameters& parameters) {
   }
   prepared.cache = std::make_shared<NodeCache>(prepared.densities, std::move(options));
   if (parameters.variant == Variant::Conservative)
-    prepared.errors = std::make_shared<const LevelErrors>(*prepared.densities, *prepared.cache);
+    prepared.errors = std::make_shared<NodeErrors>(*prepared.densities, *prepared.cache);
   return prepared;
 }
 

@@ -8,8 +8,8 @@
 #include "mesh/dual_contouring/smoothing.h"
 #include "mesh/dual_contouring/vertex_place.h"
 #include "mesh/stacks/amortised_tree.h"
-#include "mesh/stacks/level_errors.h"
 #include "mesh/stacks/node_cache.h"
+#include "mesh/stacks/node_errors.h"
 #include "mesh/stacks/stack_densities.h"
 #include "terrain/stacks/stack_field.h"
 
@@ -23,12 +23,13 @@ struct Parameters {
 };
 
 /// What does not depend on the view: the levels of the stacks, and the meshes of nodes as they are
-/// made.
+/// made and measured. Frames may share it, from several threads too: what is drawn depends on
+/// nothing but the camera.
 struct Prepared {
   Parameters parameters;
   std::shared_ptr<const StackDensities> densities;
   std::shared_ptr<NodeCache> cache;
-  std::shared_ptr<const LevelErrors> errors;  // null: published
+  std::shared_ptr<NodeErrors> errors;  // null: published
 };
 
 /// Throws std::invalid_argument if the field is not valid.

@@ -8,16 +8,11 @@
 namespace plumb::mesh::stacks {
 namespace {
 
-constexpr std::uint32_t kLeaf = 8;
+constexpr std::uint32_t kLeaf = 3;
 
 double squared(const glm::dvec3& v) { return glm::dot(v, v); }
 
-double squared_distance_to_edge(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b) {
-  const glm::dvec3 along = b - a;
-  const double length = squared(along);
-  const double t = length > 0.0 ? std::clamp(glm::dot(point - a, along) / length, 0.0, 1.0) : 0.0;
-  return squared(point - (a + t * along));
-}
+double part(double of, double whole) { return whole > 0.0 ? of / whole : 0.0; }
 
 Box box_of(const Corners& triangle) {
   Box box;
@@ -36,19 +31,26 @@ double squared_distance(const glm::dvec3& point, const Box& box) {
   return sum;
 }
 
+// By the region that the point lies over: a corner, an edge or the inside. It is the distance to a
+// point of the triangle whatever the roundings, one without area included.
 double squared_distance(const glm::dvec3& point, const Corners& triangle) {
   const auto& [a, b, c] = triangle;
-  const glm::dvec3 normal = glm::cross(b - a, c - a);
-  const double area = squared(normal);
-  const bool is_over = area > 0.0 && glm::dot(glm::cross(b - a, point - a), normal) >= 0.0 &&
-                       glm::dot(glm::cross(c - b, point - b), normal) >= 0.0 &&
-                       glm::dot(glm::cross(a - c, point - c), normal) >= 0.0;
-  if (is_over) {
-    const double height = glm::dot(point - a, normal);
-    return height * height / area;
-  }
-  return std::min({squared_distance_to_edge(point, a, b), squared_distance_to_edge(point, b, c),
-                   squared_distance_to_edge(point, c, a)});
+  const glm::dvec3 ab = b - a, ac = c - a, ap = point - a;
+  const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
+  if (d1 <= 0.0 && d2 <= 0.0) return squared(ap);
+  const glm::dvec3 bp = point - b;
+  const double d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
+  if (d3 >= 0.0 && d4 <= d3) return squared(bp);
+  const glm::dvec3 cp = point - c;
+  const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
+  if (d6 >= 0.0 && d5 <= d6) return squared(cp);
+  const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 && d1 > d3) return squared(ap - d1 / (d1 - d3) * ab);
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 && d2 > d6) return squared(ap - d2 / (d2 - d6) * ac);
+  if (va <= 0.0 && d4 >= d3 && d5 >= d6)
+    return squared(bp - part(d4 - d3, (d4 - d3) + (d5 - d6)) * (c - b));
+  const double sum = va + vb + vc;
+  return squared(ap - part(vb, sum) * ab - part(vc, sum) * ac);
 }
 
 TriangleTree::TriangleTree(std::vector<Corners> triangles) : triangles_(std::move(triangles)) {

@@ -25,15 +25,22 @@ struct NearestTriangle {
   const Corners* triangle = nullptr;  // null: none nearer than what was asked for
 };
 
+/// Triangles that can be asked for the nearest one.
+class Surface {
+ public:
+  virtual ~Surface() = default;
+  /// Replaces `nearest` by a triangle that is nearer to the point, if there is one.
+  virtual void look_for(const glm::dvec3& point, NearestTriangle& nearest) const = 0;
+};
+
 /// A binary tree of boxes over triangles.
-class TriangleTree {
+class TriangleTree final : public Surface {
  public:
   TriangleTree() = default;
   explicit TriangleTree(std::vector<Corners> triangles);
 
   const std::vector<Corners>& triangles() const { return triangles_; }
-  /// Replaces `nearest` by a triangle that is nearer to the point, if there is one.
-  void look_for(const glm::dvec3& point, NearestTriangle& nearest) const;
+  void look_for(const glm::dvec3& point, NearestTriangle& nearest) const override;
 
  private:
   struct Branch {
