@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <unordered_map>
@@ -20,12 +21,24 @@ using Polygon = std::vector<std::uint32_t>;
 constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
 // Of the largest ear's area: roundings of points on one line make far less.
 constexpr double kFlatEar = 1e-9;
+// Of the spacing: a vertex as near to a line of samples is moved onto it. Edges often pass through
+// samples, and rounding is not to decide on which side.
+constexpr double kOnLine = 1e-9;
+
+void snap(const HeightSurface& heights, glm::dvec3& place) {
+  const auto snapped = [](double at_m, double step_m) {
+    const double line = std::round(at_m / step_m);
+    return std::abs(at_m / step_m - line) < kOnLine ? line * step_m : at_m;
+  };
+  place.x = snapped(place.x, heights.dx_m());
+  place.y = snapped(place.y, heights.dy_m());
+}
 
 // The new vertices, each on an edge between two that were there before it.
 class CutEdges {
  public:
-  CutEdges(TriangleMesh& mesh, std::vector<glm::vec3>& colours)
-      : mesh_(mesh), colours_(colours), is_end_(mesh.vertices_m.size(), 0) {}
+  CutEdges(const HeightSurface& heights, TriangleMesh& mesh, std::vector<glm::vec3>& colours)
+      : heights_(heights), mesh_(mesh), colours_(colours), is_end_(mesh.vertices_m.size(), 0) {}
 
   PieceCorner corner(std::uint32_t name) const { return {mesh_.vertices_m[name], name}; }
 
@@ -38,6 +51,7 @@ class CutEdges {
     const auto [found, is_new] = middle_.try_emplace(key(a.name, b.name), next);
     if (!is_new) return corner(found->second);
     mesh_.vertices_m.push_back(crossing_m(a, at_a, b, at_b, line));
+    snap(heights_, mesh_.vertices_m.back());
     if (!colours_.empty())
       colours_.push_back(
           glm::mix(colours_[a.name], colours_[b.name], static_cast<float>(at_a / (at_a - at_b))));
@@ -72,6 +86,7 @@ class CutEdges {
     add_between(found->second, b, polygon);
   }
 
+  const HeightSurface& heights_;
   TriangleMesh& mesh_;
   std::vector<glm::vec3>& colours_;
   std::vector<std::uint8_t> is_end_;  // of a cut edge
@@ -112,16 +127,27 @@ struct Pieces {
   std::vector<std::uint8_t> is_cut;
 };
 
-Pieces pieces_of(const HeightSurface& heights, const TriangleMesh& mesh, std::size_t count,
-                 CutEdges& edges) {
-  Pieces pieces;
-  pieces.is_cut.assign(count, 0);
-  for (std::size_t t = 0; t < count; ++t) {
-    pieces.first.push_back(pieces.polygons.size());
+// Snaps the corners of those that are to be cut.
+std::vector<std::uint8_t> cut_triangles(const HeightSurface& heights, TriangleMesh& mesh) {
+  std::vector<std::uint8_t> is_cut;
+  for (const Triangle& triangle : mesh.triangles) {
     Box box;
-    for (const std::uint32_t corner : mesh.triangles[t]) box.add(mesh.vertices_m[corner]);
-    if (heights.is_whole(box.low, box.high)) continue;
-    pieces.is_cut[t] = 1;
+    for (const std::uint32_t corner : triangle) box.add(mesh.vertices_m[corner]);
+    is_cut.push_back(heights.is_whole(box.low, box.high) ? 0 : 1);
+  }
+  for (std::size_t t = 0; t < is_cut.size(); ++t) {
+    if (is_cut[t] == 0) continue;
+    for (const std::uint32_t corner : mesh.triangles[t]) snap(heights, mesh.vertices_m[corner]);
+  }
+  return is_cut;
+}
+
+Pieces pieces_of(const HeightSurface& heights, TriangleMesh& mesh, CutEdges& edges) {
+  Pieces pieces;
+  pieces.is_cut = cut_triangles(heights, mesh);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    pieces.first.push_back(pieces.polygons.size());
+    if (pieces.is_cut[t] == 0) continue;
     Piece whole;
     for (const std::uint32_t corner : mesh.triangles[t]) whole.add(edges.corner(corner));
     for_each_height_piece(
@@ -171,8 +197,8 @@ void cut_to_heights(const HeightSurface& heights, DrawnSurface& surface) {
   if (is_whole(heights)) return;
   const TriangleMesh& before = *surface.mesh;
   auto mesh = std::make_shared<TriangleMesh>(before);
-  CutEdges edges(*mesh, surface.vertex_colours);
-  const Pieces pieces = pieces_of(heights, before, before.triangles.size(), edges);
+  CutEdges edges(heights, *mesh, surface.vertex_colours);
+  const Pieces pieces = pieces_of(heights, *mesh, edges);
   std::vector<Triangle> triangles;
   std::vector<Patch> patches;
   std::vector<std::uint8_t> lod;
