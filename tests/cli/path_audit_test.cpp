@@ -154,5 +154,28 @@ TEST(PathAudit, ShowsABudgetThatLagsBehindAndCatchesUp) {
   EXPECT_EQ(slow.back().at("cost").at("triangles"), all.back().at("cost").at("triangles"));
 }
 
+// Most nodes over caves have no surface: a budget is not spent on them, so that what is drawn moves
+// on with the camera, and in the end comes near to what it asks for.
+TEST(PathAudit, SpendsABudgetOnMeshesAlone) {
+  const auto triangles = [](const char* budget) {
+    const CommandResult result = run_plumb(
+        {"audit", "generate:caves?size=129", "--method", "stacks", "--variant", "published",
+         "--tolerance", "160px", "--camera", "flyover", "--frames", "8", "--size", "96x54",
+         "--without-nearest", "--set", std::string("budget=") + budget, "--json"});
+    std::vector<double> counts;
+    for (const json& frame : json::parse(result.out).at("frames"))
+      counts.push_back(frame.at("cost").at("triangles").get<double>());
+    return counts;
+  };
+  const std::vector<double> all = triangles("0"), slow = triangles("40");
+  ASSERT_EQ(slow.size(), 8u);
+  EXPECT_EQ(slow[0], all[0]);
+  EXPECT_LT(slow[1], 0.7 * all[1]);
+  int changed = 0;
+  for (std::size_t k = 1; k < 8; ++k) changed += slow[k] != slow[k - 1] ? 1 : 0;
+  EXPECT_GE(changed, 5);
+  EXPECT_GT(slow[7], 0.75 * all[7]);
+}
+
 }  // namespace
 }  // namespace plumb::testing

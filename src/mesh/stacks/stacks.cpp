@@ -159,7 +159,15 @@ DrawnSurface draw(const Prepared& prepared, const Camera& camera, const Toleranc
 }
 
 Run::Run(Prepared prepared, int budget)
-    : prepared_(std::move(prepared)), tree_(prepared_.densities->size()), budget_(budget) {
+    : prepared_(std::move(prepared)),
+      tree_(prepared_.densities->size(),
+            [densities = prepared_.densities](const Node& node, const Surroundings& around) {
+              return may_have_faces(node, around,
+                                    [&](int level, const dual_contouring::LatticeBox& box) {
+                                      return densities->uniform(level, box);
+                                    });
+            }),
+      budget_(budget) {
   require(budget >= 0, "a budget must be 0 or more node meshes, got {}", budget);
 }
 
