@@ -149,7 +149,7 @@ TEST(PathAudit, ShowsABudgetThatLagsBehindAndCatchesUp) {
   for (std::size_t k = 2; k < all.size(); ++k) EXPECT_EQ(popped(all[k]), 0.0) << k;
   EXPECT_LT(error(all[1]), 1.0);
   EXPECT_GT(error(slow[1]), 2.0);
-  for (const std::size_t late : {2, 3, 4}) EXPECT_GT(popped(slow[late]), 1.0) << late;
+  for (const std::size_t late : {2, 3}) EXPECT_GT(popped(slow[late]), 1.0) << late;
   EXPECT_EQ(error(slow.back()), error(all.back()));
   EXPECT_EQ(slow.back().at("cost").at("triangles"), all.back().at("cost").at("triangles"));
 }
@@ -160,10 +160,11 @@ TEST(PathAudit, SpendsABudgetOnMeshesAlone) {
   const auto triangles = [](const char* budget) {
     const CommandResult result = run_plumb(
         {"audit", "generate:caves?size=129", "--method", "stacks", "--variant", "published",
-         "--tolerance", "160px", "--camera", "flyover", "--frames", "8", "--size", "96x54",
+         "--tolerance", "160px", "--camera", "flyover", "--frames", "8", "--size", "160x90",
          "--without-nearest", "--set", std::string("budget=") + budget, "--json"});
     std::vector<double> counts;
-    for (const json& frame : json::parse(result.out).at("frames"))
+    const json audit = json::parse(result.out);
+    for (const json& frame : audit.at("frames"))
       counts.push_back(frame.at("cost").at("triangles").get<double>());
     return counts;
   };
