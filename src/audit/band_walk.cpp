@@ -59,4 +59,9 @@ bool BandWalk::is_beyond(const glm::dvec3& point, Side side) const {
          band_.pixels * (1.0 + kSameDepth);
 }
 
+bool BandWalk::keeps(const glm::dvec3& point) const {
+  return !std::isnan(truth_.height_at(point.x, point.y)) && !is_beyond(point, Side::Below) &&
+         !is_beyond(point, Side::Above);
+}
+
 }  // namespace plumb::audit

@@ -31,6 +31,9 @@ class BandWalk {
   /// True if the point is farther from the truth above or below it than the band.
   bool is_beyond(const glm::dvec3& point, Side side) const;
 
+  /// True if there is truth above or below the point, no farther than the band.
+  bool keeps(const glm::dvec3& point) const;
+
  private:
   Way follow_piece(const glm::dvec3& from, const glm::dvec3& to, Side side) const;
 

@@ -25,6 +25,10 @@ std::vector<float> magnitudes(const std::vector<float>& values) {
   return result;
 }
 
+double projection_slack_px(double measured) {
+  return kProjectionSlack * (std::isfinite(measured) ? measured : 0.0);
+}
+
 std::int64_t flaws_of(const Topology& t) {
   return t.open_edges + t.non_manifold_edges + t.non_manifold_vertices + t.degenerate_triangles +
          t.folded_triangles;
@@ -56,8 +60,11 @@ ClaimMeasures::ClaimMeasures(const AuditResult& result, const TruthTerms& truth,
 }
 
 double ClaimMeasures::slack_px(double pixels_per_metre, double measured) const {
-  return (truth_.slack_m() + eye_slack_m_) * pixels_per_metre +
-         kProjectionSlack * (std::isfinite(measured) ? measured : 0.0);
+  return (truth_.slack_m() + eye_slack_m_) * pixels_per_metre + projection_slack_px(measured);
+}
+
+double ClaimMeasures::vertical_slack_m() const {
+  return truth_.slack_m() + eye_slack_m_ * (1.0 + truth_.heights()->steepest_slope);
 }
 
 // Above and below a terrain of stacks there may be several surfaces.
@@ -171,7 +178,7 @@ void ClaimMeasures::pixel_error(ClaimResult& r) const {
   r.is_measured = result_.vertical.count > 0;
   if (r.claim.unit == Unit::Metre) return pixel_error_m(r);
   r.measured = p.max_vertical_px;
-  r.slack = slack_px(p.pixels_per_metre, r.measured);
+  r.slack = vertical_slack_m() * p.pixels_per_metre + projection_slack_px(r.measured);
   if (p.worst_pixel >= 0)
     r.worst = finder_.at_pixel(r.label, r.measured, r.claim.unit,
                                static_cast<std::size_t>(p.worst_pixel));
@@ -189,7 +196,7 @@ void ClaimMeasures::pixel_error_m(ClaimResult& r) const {
     r.worst = farthest.front();
     r.measured = farthest.front().value;
   }
-  r.slack = truth_.slack_m();
+  r.slack = vertical_slack_m();
   if (std::isfinite(r.measured)) r.slack += r.measured * std::numeric_limits<float>::epsilon();
   settle(r);
   if (!r.is_broken()) return;

@@ -30,6 +30,9 @@ class ClaimMeasures {
 
  private:
   double slack_px(double pixels_per_metre, double measured) const;
+  /// Of a vertical distance at a point that a picture shows: how far that is off, and by how much
+  /// the ground rises on that way.
+  double vertical_slack_m() const;
   void measure_samples(ClaimResult& r) const;
   void add_samples_over(ClaimResult& r) const;
   void add_places_over(ClaimResult& r) const;

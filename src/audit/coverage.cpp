@@ -41,6 +41,8 @@ class SecondLook {
     }
     if (n.all_miss() && hit) {
       if (at_large) return DefectKind::Overshoot;
+      // Truth that is seen edge on is hit by no ray; displaced, it shows.
+      if (walk_.keeps(local_.eye_m + drawn_.from_eye_m[pixel])) return DefectKind::None;
       const bool land =
           any_ray_near(x, y, drawn_.from_eye_m[pixel],
                        [](const reference::RayHit& ray) { return static_cast<bool>(ray); });
@@ -64,11 +66,20 @@ class SecondLook {
 
   // True if a surface that keeps to the band may let the pixel's ray pass, where the truth does
   // not. Lowered, it lets the ray run on to `end`, or through a void or beyond the terrain. Raised,
-  // it lets it slip below its rim, where it came over a void or from outside.
+  // it lets it slip below its rim, where it came over a void or from outside, or begins below it.
   bool may_pass(std::size_t pixel, const glm::dvec3& end) const {
     const glm::dvec3 met = local_.eye_m + true_hits_.from_eye_m[pixel];
     return walk_.follow(met, end, BandWalk::Side::Below) != BandWalk::Way::Blocked ||
-           walk_.follow(met, local_.eye_m, BandWalk::Side::Above) == BandWalk::Way::Open;
+           may_begin_below(pixel, met);
+  }
+
+  // Back from where the truth was met to where the picture begins, at the near plane.
+  bool may_begin_below(std::size_t pixel, const glm::dvec3& met) const {
+    const glm::dvec3 begin =
+        local_.eye_m + true_hits_.from_eye_m[pixel] * (local_.near_m / true_hits_.depth_m[pixel]);
+    const BandWalk::Way way = walk_.follow(met, begin, BandWalk::Side::Above);
+    return way == BandWalk::Way::Open ||
+           (way == BandWalk::Way::Unknown && !walk_.is_beyond(begin, BandWalk::Side::Above));
   }
 
   // A point of the pixel's ray beyond the terrain.

@@ -56,6 +56,10 @@ struct Coverage {
 ///       that terrain or sky narrower than a pixel is not held against the picture; and, where the
 ///       surface may stray by metres, as far around as `band.metres` reach on screen at that
 ///       point's depth.
+///   No hole is where the pixel's ray, all the way from the near plane, runs no farther above the
+///   truth than the band: the surface may lie above the eye.
+///   An overshoot is none if there is truth above or below the point drawn within the band: seen
+///   edge on, it is hit by no ray.
 ///   (3) See-through: the point drawn lies behind all truth within the band, the truth above or
 ///   below that point is itself hidden, and on its way there the pixel's ray runs deeper below the
 ///   truth than the band. A surface that is merely displaced is the pixel error's matter.

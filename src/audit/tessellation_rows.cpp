@@ -38,6 +38,10 @@ tessellation::Mends mends_parameter(const MethodChoice& choice) {
 
 std::unique_ptr<PreparedMethod> prepare_tessellation(const terrain::Heightfield& field,
                                                      const MethodChoice& choice, bool fine) {
+  if (field.columns() < 2 || field.rows() < 2)
+    input_error("patches need 2 x 2 samples, {} has {} x {}",
+                field.provenance.source.empty() ? "the terrain" : field.provenance.source,
+                field.columns(), field.rows());
   tessellation::Parameters parameters;
   parameters.variant = choice.variant == "published" ? tessellation::Variant::Published
                                                      : tessellation::Variant::Conservative;

@@ -13,10 +13,11 @@ namespace plumb::audit {
 /// terrain.
 struct HeightfieldTruth {
   reference::PyramidCaster caster;
-  double slack_m;  // reference::evaluation_slack_m
+  double slack_m;         // reference::evaluation_slack_m
+  double steepest_slope;  // of a triangle, at most: reference::SurfaceRounding
 
   HeightfieldTruth(const terrain::Heightfield& field, terrain::Diagonal diagonal)
-      : caster(field, diagonal), slack_m(reference::evaluation_slack_m(field)) {}
+      : HeightfieldTruth(field, diagonal, reference::surface_rounding(field)) {}
 
   const terrain::Heightfield& field() const { return caster.field(); }
   terrain::Diagonal diagonal() const { return caster.diagonal(); }
@@ -24,6 +25,13 @@ struct HeightfieldTruth {
   double height_at(double x_m, double y_m) const {
     return reference::surface_at(field(), diagonal(), x_m, y_m).height_m;
   }
+
+ private:
+  HeightfieldTruth(const terrain::Heightfield& field, terrain::Diagonal diagonal,
+                   const reference::SurfaceRounding& rounding)
+      : caster(field, diagonal),
+        slack_m(rounding.slack_m),
+        steepest_slope(rounding.steepest_slope) {}
 };
 
 }  // namespace plumb::audit

@@ -5,6 +5,7 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
+#include <tbb/task_arena.h>
 
 #include <cstdint>
 #include <memory>
@@ -41,6 +42,17 @@ void parallel_for(std::int64_t count, std::int64_t grain, const Body& body) {
                     [&](const tbb::blocked_range<std::int64_t>& range) {
                       for (std::int64_t i = range.begin(); i < range.end(); ++i) body(i);
                     });
+#endif
+}
+
+/// Calls body(). Should it wait for a parallel loop of its own, its thread takes up no other
+/// iteration of a loop around it meanwhile: bodies of that do not pile up on one stack.
+template <class Body>
+void in_isolation(const Body& body) {
+#ifdef PLUMB_PLAIN_THREADS
+  body();
+#else
+  tbb::this_task_arena::isolate(body);
 #endif
 }
 

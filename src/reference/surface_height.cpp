@@ -79,26 +79,13 @@ SurfacePoint beside(const Heightfield& field, Diagonal diagonal, Place x, Place 
   return kNowhere;
 }
 
-}  // namespace
+// The largest |height|, and the steepest slope between neighbours.
+struct Extremes {
+  double height = 0.0, slope = 0.0;
+};
 
-SurfacePoint surface_at(const Heightfield& field, Diagonal diagonal, double x_m, double y_m) {
-  const Place x = locate(x_m / field.dx_m, field.cell_columns()),
-              y = locate(y_m / field.dy_m, field.cell_rows());
-  if (x.cell < 0 || y.cell < 0) return kNowhere;
-  const SurfacePoint here = in_cell(field, diagonal, x.cell, y.cell, x.fraction, y.fraction, 0.0);
-  // Where this cell is void, rounding may have put a place of its rim into it.
-  return here.triangle != kNoPrimitive ? here : beside(field, diagonal, x, y);
-}
-
-bool exists_at(const Heightfield& field, Diagonal diagonal, double x_m, double y_m) {
-  return surface_at(field, diagonal, x_m, y_m).triangle != kNoPrimitive;
-}
-
-double evaluation_slack_m(const Heightfield& field) {
-  struct Extremes {
-    double height = 0.0, slope = 0.0;
-  };
-  const Extremes found = parallel_ordered_reduce(
+Extremes extremes_of(const Heightfield& field) {
+  return parallel_ordered_reduce(
       field.rows(), 64, Extremes{},
       [&](std::int64_t begin, std::int64_t end, Extremes e) {
         std::vector<float> buffer, north_buffer;
@@ -121,10 +108,31 @@ double evaluation_slack_m(const Heightfield& field) {
       [](Extremes a, Extremes b) {
         return Extremes{std::max(a.height, b.height), std::max(a.slope, b.slope)};
       });
+}
+
+}  // namespace
+
+SurfacePoint surface_at(const Heightfield& field, Diagonal diagonal, double x_m, double y_m) {
+  const Place x = locate(x_m / field.dx_m, field.cell_columns()),
+              y = locate(y_m / field.dy_m, field.cell_rows());
+  if (x.cell < 0 || y.cell < 0) return kNowhere;
+  const SurfacePoint here = in_cell(field, diagonal, x.cell, y.cell, x.fraction, y.fraction, 0.0);
+  // Where this cell is void, rounding may have put a place of its rim into it.
+  return here.triangle != kNoPrimitive ? here : beside(field, diagonal, x, y);
+}
+
+bool exists_at(const Heightfield& field, Diagonal diagonal, double x_m, double y_m) {
+  return surface_at(field, diagonal, x_m, y_m).triangle != kNoPrimitive;
+}
+
+SurfaceRounding surface_rounding(const Heightfield& field) {
+  const Extremes found = extremes_of(field);
   const double ulp = std::numeric_limits<double>::epsilon();
   const double extent = std::max(field.cell_columns() * field.dx_m, field.cell_rows() * field.dy_m);
-  return ulp * (16.0 * found.height + 32.0 * extent * found.slope);
+  return {ulp * (16.0 * found.height + 32.0 * extent * found.slope), 2.0 * found.slope};
 }
+
+double evaluation_slack_m(const Heightfield& field) { return surface_rounding(field).slack_m; }
 
 glm::dvec3 triangle_normal(const Heightfield& field, Diagonal diagonal, std::uint32_t triangle) {
   const auto cell = static_cast<int>(triangle / 2), cells = field.cell_columns();

@@ -29,6 +29,15 @@ SurfacePoint surface_at(const terrain::Heightfield& field, terrain::Diagonal dia
 /// triangle, at most twice the steepest between neighbours.
 double evaluation_slack_m(const terrain::Heightfield& field);
 
+/// What rounding depends on.
+struct SurfaceRounding {
+  double slack_m = 0.0;  // evaluation_slack_m
+  /// No full-detail triangle is steeper, rise over run: twice the steepest between neighbouring
+  /// samples. A place that is off by a metre counts so many metres of height.
+  double steepest_slope = 0.0;
+};
+SurfaceRounding surface_rounding(const terrain::Heightfield& field);
+
 /// True if a full-detail triangle stands at the place; cheaper words for surface_at.
 bool exists_at(const terrain::Heightfield& field, terrain::Diagonal diagonal, double x_m,
                double y_m);

@@ -65,13 +65,14 @@ TEST(StackAudit, HoldsItsLimitOrBreaksItAsMeasured) {
   EXPECT_NE(broken.out.find("Broken: nearest-error"), std::string::npos) << broken.out;
 }
 
+// In pixels: what is out of view may be coarser, and counts in metres.
 TEST(StackAudit, FindsNoErrorInTheFinestLevel) {
   const TemporaryFolder folder;
   const CommandResult held =
       audit({"--method", "stacks", "--tolerance", "0px", "--limit", "nearest-error=0px", "--limit",
-             "nearest-error=0m", "--limit", "topology=0", "-o", folder.file("report")});
+             "topology=0", "-o", folder.file("report")});
   EXPECT_EQ(held.status, 0) << held.out << held.err;
-  EXPECT_NE(held.out.find("Every claim holds: 5"), std::string::npos) << held.out;
+  EXPECT_NE(held.out.find("Every claim holds: 4"), std::string::npos) << held.out;
   EXPECT_EQ(held.out.find("vertical"), std::string::npos);
   for (const char* file : {"report.html", "nearest-error.png", "reverse-error.png", "summary.png"})
     EXPECT_TRUE(std::filesystem::exists(folder.file("report") + "/" + file)) << file;

@@ -60,5 +60,6 @@ Command plan_command();
 Command sweep_command();
 Command merge_command();
 Command stability_command();
+Command soundness_command();
 
 }  // namespace plumb::tool

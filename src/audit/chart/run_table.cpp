@@ -51,17 +51,12 @@ std::optional<double> error_of(const json& errors) {
   return vertical ? vertical : largest(member(errors, "pixel_nearest_px"));
 }
 
-// A number of popping stands by itself or as the largest of a distribution.
+// As an audit of a path has it: a null beside infinite pixels is infinite.
 std::optional<double> popping_of(const json& line) {
   const json* popping = member(line, "popping");
   if (popping == nullptr) return std::nullopt;
-  if (popping->is_number()) return popping->get<double>();
-  for (const char* name : {"pixel_px", "max_px", "px"}) {
-    const json* part = member(*popping, name);
-    if (part == nullptr) continue;
-    return part->is_number() ? std::optional(part->get<double>()) : largest(part);
-  }
-  return largest(popping);
+  if (const auto most = number(*popping, "max_px")) return without_rounding(*most);
+  return number(*popping, "infinite").value_or(0.0) > 0.0 ? std::optional(kInfinite) : std::nullopt;
 }
 
 std::array<std::optional<double>, kCosts.size()> costs_of(const json& cost, const json& timing) {

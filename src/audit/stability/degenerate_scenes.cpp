@@ -71,10 +71,10 @@ void add_sizes(std::vector<Scene>& scenes) {
                               of(1, 1, [](int, int) { return 5.0; }),
                               look({-20, -20, 30}, {0, 0, 5})));
   expect_everywhere(scenes.back(), without_a_verdict());
-  refuse_as_patches(scenes.back(), "needs 2 x 2 samples, got 1 x 1");
+  refuse_as_patches(scenes.back(), "patches need 2 x 2 samples, the terrain has 1 x 1");
   scenes.push_back(degenerate("one-row", "A terrain of one row has no area.", of(kSize, 1, hills)));
   expect_everywhere(scenes.back(), without_a_verdict());
-  refuse_as_patches(scenes.back(), "needs 2 x 2 samples, got 33 x 1");
+  refuse_as_patches(scenes.back(), "patches need 2 x 2 samples, the terrain has 33 x 1");
   scenes.push_back(degenerate("window-of-no-area", "A window of no columns is no terrain.", [] {
     terrain::ReadOptions options;
     options.window = terrain::Window{3, 3, 0, 5};

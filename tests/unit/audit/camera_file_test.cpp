@@ -1,4 +1,5 @@
 #include "audit/camera_file.h"
+#include "audit/scene.h"
 
 #include <gtest/gtest.h>
 
@@ -96,7 +97,7 @@ TEST(CameraFile, NamesTheKnownKeysForAnUnknownOne) {
             "c.toml, line 3: fov: unknown key; a camera has eye, target, up, fov_y_deg, width, "
             "height, near, far, tilt_deg, view, projection, layout, vectors, clip, reverse_z, "
             "world_axes, "
-            "metres_per_unit, origin, preset");
+            "metres_per_unit, origin, preset, frame, frames");
 }
 
 TEST(CameraFile, SaysWhereAValueIsOfTheWrongKind) {
@@ -144,6 +145,23 @@ TEST(CameraNumbers, AreRefusedIfTheyAreNot) {
             "camera '1,2,3,4,5,6,': expected six or seven numbers, ex,ey,ez,tx,ty,tz[,fov]");
   EXPECT_EQ(numbers_error("1,2,3,4,5,x"), "camera '1,2,3,4,5,x': 'x' is not a finite number");
   EXPECT_EQ(numbers_error("1,2,3,4,5,nan"), "camera '1,2,3,4,5,nan': 'nan' is not a finite number");
+}
+
+TEST(InlineCamera, IsWhatStandsInAFile) {
+  EXPECT_EQ(parse_inline_camera("{eye = [1, 2, 3], target = [4, 5, 6.5], near = 0.25, width = 7}"),
+            parse_camera_toml("eye = [1, 2, 3]\ntarget = [4, 5, 6.5]\nnear = 0.25\nwidth = 7", ""));
+}
+
+TEST(InlineCamera, ReadsWhatIsWrittenToTheLastBit) {
+  const CameraDescription written = parse_camera_toml(kWhole, "");
+  EXPECT_EQ(parse_inline_camera(inline_toml(written)), written);
+}
+
+TEST(InlineCamera, IsRefusedIfItIsNoCamera) {
+  for (const char* text : {"{eye = [1, 2, 3]}", "{eye = [1, 2, 3], target = [1, 2]}", "{", "{}",
+                           "{eye = [1, 2, 3], target = [4, 5, 6], fov = 50}",
+                           "{eye = [1, 2, 3], target = [4, 5, 6]}\nup = 3"})
+    EXPECT_THROW(parse_inline_camera(text), InputError) << text;
 }
 
 // A point of the tilted hill, where the camera that was asked for sees it, is the point of the

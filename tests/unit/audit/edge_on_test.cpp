@@ -1,0 +1,56 @@
+// Eyes on the ground or so near to it that the surface drawn may lie above them.
+#include <gtest/gtest.h>
+
+#include "audit/audit.h"
+#include "small_audits.h"
+
+namespace plumb::audit {
+namespace {
+
+constexpr double kSide_m = 80.0;  // of plane(9)
+
+// Over level ground, near its northern border, and looks along it: what lies higher than the eye
+// covers the picture's upper half, what lies lower its lower half.
+Camera above_the_ground(double eye_m) {
+  LookAt look;
+  look.eye_m = {5.0, 75.0, eye_m};
+  look.target_m = {60.0, 75.0, eye_m};
+  look.width_px = 64;
+  look.height_px = 48;
+  return make_camera(look);
+}
+
+AuditResult audited(double raised_m, double band_m, double side_m = kSide_m, double eye_m = 0.0) {
+  AuditOptions options;
+  options.band.metres = band_m;
+  const terrain::Heightfield field = plane(9);
+  return audit_surface(HeightfieldTruth(field, terrain::Diagonal::Alternating),
+                       sheet(side_m, raised_m), above_the_ground(eye_m), options);
+}
+
+TEST(EdgeOn, GroundWithinTheToleranceIsNoOvershoot) {
+  const AuditResult result = audited(0.5, 0.6);
+  EXPECT_EQ(result.coverage.must_be_terrain, 0);
+  EXPECT_GT(result.vertical.count, 100);  // much of it is drawn, and judged by the pixel error
+  EXPECT_EQ(result.coverage.overshoots, 0);
+}
+
+TEST(EdgeOn, GroundBeyondTheToleranceIs) { EXPECT_GT(audited(0.5, 0.4).coverage.overshoots, 100); }
+
+TEST(EdgeOn, GroundBeyondTheOutlineIs) {
+  EXPECT_GT(audited(0.5, 0.6, 2.0 * kSide_m).coverage.overshoots, 10);
+}
+
+// The eye stands below the surface drawn, which is where the tolerance allows it.
+TEST(EdgeOn, GroundRaisedAboveTheEyeWithinTheToleranceLeavesNoHole) {
+  const AuditResult result = audited(0.5, 0.6, kSide_m, 0.3);
+  EXPECT_GT(result.coverage.must_be_terrain, 500);
+  EXPECT_EQ(result.coverage.defect_count(), 0);
+}
+
+TEST(EdgeOn, GroundThatIsMissingBelowAnEyeHigherThanTheToleranceIsAHole) {
+  EXPECT_GT(audited(0.5, 0.4, 1e-3, 0.7).coverage.holes, 500);
+}
+
+}  // namespace
+}  // namespace plumb::audit
