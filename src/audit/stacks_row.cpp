@@ -7,6 +7,8 @@
 namespace plumb::audit {
 namespace {
 
+constexpr terrain::Diagonal kTruthOfHeights = terrain::Diagonal::Alternating;
+
 mesh::stacks::Parameters stacks_parameters(const MethodChoice& choice) {
   using mesh::dual_contouring::Kernel;
   using mesh::dual_contouring::Placement;
@@ -61,6 +63,7 @@ Method stacks_row() {
   method.summary = "stacks of material, their surface by dual contouring over an octree";
   method.variants = {"conservative", "published"};
   method.tolerance_units = {Unit::Pixel};
+  method.truth = kTruthOfHeights;
   method.takes_stacks = true;
   method.size_variants = {"published"};
   method.parameters = {
@@ -73,13 +76,16 @@ Method stacks_row() {
     if (field.stacks != nullptr && choice.parameters.contains("voxel"))
       input_error("parameter voxel: a terrain of stacks has its own, {} m", field.stacks->voxel_m);
     const double voxel_m = number_parameter(choice, "voxel", 0.0);
-    mesh::stacks::Parameters parameters = stacks_parameters(choice);
-    parameters.is_truth = field.stacks != nullptr;
+    const mesh::stacks::Parameters parameters = stacks_parameters(choice);
+    const int budget = integer_parameter(choice, "budget", 0);
+    if (field.stacks != nullptr)
+      return std::make_unique<PreparedStacks>(mesh::stacks::prepare(*field.stacks, parameters),
+                                              budget);
     return std::make_unique<PreparedStacks>(
         mesh::stacks::prepare(
-            field.stacks != nullptr ? *field.stacks : terrain::stacks_of(field, voxel_m),
-            parameters),
-        integer_parameter(choice, "budget", 0));
+            terrain::stacks_of(field, voxel_m), parameters,
+            std::make_shared<const mesh::stacks::HeightSurface>(field, kTruthOfHeights)),
+        budget);
   };
   method.full_detail = [](const terrain::Heightfield& field, const MethodChoice& choice) {
     mesh::stacks::Parameters parameters = stacks_parameters(choice);

@@ -149,9 +149,33 @@ TEST(PathAudit, ShowsABudgetThatLagsBehindAndCatchesUp) {
   for (std::size_t k = 2; k < all.size(); ++k) EXPECT_EQ(popped(all[k]), 0.0) << k;
   EXPECT_LT(error(all[1]), 1.0);
   EXPECT_GT(error(slow[1]), 2.0);
-  for (const std::size_t late : {2, 3, 4}) EXPECT_GT(popped(slow[late]), 1.0) << late;
+  for (const std::size_t late : {2, 3}) EXPECT_GT(popped(slow[late]), 1.0) << late;
   EXPECT_EQ(error(slow.back()), error(all.back()));
   EXPECT_EQ(slow.back().at("cost").at("triangles"), all.back().at("cost").at("triangles"));
+}
+
+// Most nodes over caves have no surface: a budget is not spent on them, so that what is drawn moves
+// on with the camera, and in the end comes near to what it asks for.
+TEST(PathAudit, SpendsABudgetOnMeshesAlone) {
+  const auto triangles = [](const char* budget) {
+    const CommandResult result = run_plumb(
+        {"audit", "generate:caves?size=129", "--method", "stacks", "--variant", "published",
+         "--tolerance", "160px", "--camera", "flyover", "--frames", "8", "--size", "160x90",
+         "--without-nearest", "--set", std::string("budget=") + budget, "--json"});
+    std::vector<double> counts;
+    const json audit = json::parse(result.out);
+    for (const json& frame : audit.at("frames"))
+      counts.push_back(frame.at("cost").at("triangles").get<double>());
+    return counts;
+  };
+  const std::vector<double> all = triangles("0"), slow = triangles("40");
+  ASSERT_EQ(slow.size(), 8u);
+  EXPECT_EQ(slow[0], all[0]);
+  EXPECT_LT(slow[1], 0.7 * all[1]);
+  int changed = 0;
+  for (std::size_t k = 1; k < 8; ++k) changed += slow[k] != slow[k - 1] ? 1 : 0;
+  EXPECT_GE(changed, 5);
+  EXPECT_GT(slow[7], 0.75 * all[7]);
 }
 
 }  // namespace

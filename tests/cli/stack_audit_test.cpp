@@ -148,5 +148,29 @@ TEST(StackInfo, TellsWhatAGeneratedTerrainOfStacksIs) {
   EXPECT_NE(run_plumb({"info", kCaves}).out.find("limestone"), std::string::npos);
 }
 
+// Heights as stacks, with voids: claims hold, coverage among them, out of reach or not; nothing is
+// drawn over a void, nothing that exists is left out.
+TEST(StackAudit, OfHeightsKeepsWhatItClaims) {
+  for (const char* terrain :
+       {"generate:alpine?size=65&voids=0.1", "generate:urban?size=49&voids=0.05",
+        "generate:dunes?size=65&spacing=30"}) {
+    for (const char* tolerance : {"1px", "16px"}) {
+      for (const char* voxel : {"1", "10"}) {
+        const CommandResult result =
+            run_plumb({"audit", terrain, "--method", "stacks", "--tolerance", tolerance, "--set",
+                       std::string("voxel=") + voxel, "--size", "160x90", "--json"});
+        ASSERT_EQ(result.status, 0) << terrain << result.err;
+        const json audit = json::parse(result.out);
+        EXPECT_EQ(audit.at("verdict"), "held");
+        EXPECT_EQ(audit.at("claims").size(), 3u);
+        EXPECT_EQ(audit.at("claims")[0].at("measure"), "surface-error");
+        EXPECT_EQ(audit.at("topology").at("open_edges"), 0);
+        EXPECT_EQ(audit.at("samples").at("uncovered"), 0);
+        EXPECT_EQ(audit.at("samples").at("drawn_over_void"), 0);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace plumb::testing

@@ -50,13 +50,12 @@ void expect_everywhere(Scene& scene, const Expected& expected) {
   scene.published = scene.conservative = expected;
 }
 
-// Heights as stacks move by a part of a voxel, here 10 m: nothing is claimed of that, but coverage
-// is.
-void expect_of_stacks(Scene& scene, double least_px) {
-  scene.otherwise["stacks"] = breaks(Reading::Coverage, least_px);
+// Heights as stacks move by a part of a voxel, here 10 m.
+void find_of_stacks(Scene& scene) {
   scene.finding =
-      "As stacks the ground is up to a voxel, 10 m, off its heights: seen from as near, or through "
-      "gaps as wide, that is no coverage.";
+      "As stacks the ground is up to a voxel, 10 m, off its heights. As published that is broken "
+      "coverage; the conservative variant says that the tolerance is out of reach for an eye as "
+      "near, claims what it reaches, and keeps it.";
 }
 
 void refuse_as_patches(Scene& scene, const std::string& why) {
@@ -95,7 +94,6 @@ void add_heights(std::vector<Scene>& scenes) {
   scenes.push_back(degenerate(
       "every-third-sample-void", "No triangle is whole but a few.",
       of(kSize, kSize, [nan](int i, int j) { return (i + j) % 3 == 0 ? nan : hills(i, j); })));
-  expect_of_stacks(scenes.back(), 500);
   scenes.push_back(
       degenerate("heights-of-1e30", "Differences of heights are beyond a float.",
                  of(kSize, kSize, [](int i, int j) { return (i + j) % 2 == 0 ? 1e30 : -1e30; })));
@@ -126,19 +124,19 @@ void add_cameras(std::vector<Scene>& scenes) {
   const double here_m = static_cast<float>(hills(16, 16));
   view("camera-in-the-rock", "The eye is a metre below the surface.",
        look({160, 160, here_m - 1.0}, {260, 160, here_m - 1.0}));
-  expect_of_stacks(scenes.back(), 60);
+  find_of_stacks(scenes.back());
   for (const char* method : {"slicing", "hybrid-slicing"})
     scenes.back().otherwise[method] = without_a_verdict();
   view("camera-under-the-ground", "All of the terrain is above the eye.",
        look({160, 160, -300}, {160, 170, 0}));
   view("camera-on-a-vertex", "The eye is a vertex of the mesh.",
        look({160, 160, here_m}, {260, 200, here_m}, 50.0, 0.01));
-  expect_of_stacks(scenes.back(), 8000);
+  find_of_stacks(scenes.back());
   LookAt along = look({160, 170, 0}, {160, 180, 0}, 50.0, 0.01);
   along.eye_m.z = static_cast<float>(hills(16, 17));
   along.target_m.z = static_cast<float>(hills(16, 18));
   view("camera-along-an-edge", "The eye looks from a vertex straight along an edge.", along);
-  expect_of_stacks(scenes.back(), 8000);
+  find_of_stacks(scenes.back());
 }
 
 }  // namespace

@@ -89,7 +89,9 @@ void add_voxels(std::vector<Scene>& scenes) {
       "full: elsewhere a slope is up to 3/2 - sqrt 2 of a voxel off.",
       [] { return ground(20, 20, 1.0, [](int i, int j) { return 4.0 + 0.3 * i + 0.2 * j; }); },
       strays(Reading::TopError, 0.05, 0.0859), strays(Reading::TopError, 0.05, 0.0859), "0");
-  slope.finding = "Nothing is claimed of heights that stacks stand for.";
+  slope.finding =
+      "The conservative variant claims of heights what the finest level reaches: here that is "
+      "within the tolerance.";
   scenes.push_back(std::move(slope));
 }
 
@@ -194,13 +196,15 @@ void add_levels(std::vector<Scene>& scenes) {
   Scene jump = near_by("levels-two-apart-after-a-jump",
                        "With a budget of 40 nodes a frame what is fine near the eye stands among "
                        "what was coarse: levels that differ by two have no stitch.",
-                       caves, closed, strays(Reading::OpenEdges, 0, 0));
+                       caves, closed, closed);
   jump.parameters["budget"] = "40";
   jump.before = {look({20, 20, 500}, {60, 60, 60})};
   jump.camera = look({200, 190, 120}, {100, 100, 60}, 60.0);
   jump.finding =
       "The library's trees stay balanced at every step, so nothing opens. Trees that are not are "
-      "tested by themselves (StackLevels.DifferByTwoWhenTheCameraJumps).";
+      "tested by themselves (StackLevels.DifferByTwoWhenTheCameraJumps). What is drawn lags behind "
+      "what the camera asks for, and so nothing is claimed but coverage, which a cave that is not "
+      "there yet may break.";
   scenes.push_back(std::move(jump));
   Scene corner = near_by("three-levels-at-one-corner",
                          "Balance across faces alone lets three levels meet at a corner.", caves,

@@ -16,12 +16,14 @@ DrawnNodes drawn_nodes(const Octree& tree) {
   return nodes;
 }
 
-// Nodes whose mesh is another than before.
-int updated_between(const DrawnNodes& before, const DrawnNodes& after) {
+// Meshes of nodes that are others than before.
+int updated_between(const DrawnNodes& before, const DrawnNodes& after,
+                    const AmortisedTree::HasMesh& has_mesh) {
   int updated = 0;
   for (const auto& [node, around] : after) {
     const auto found = before.find(node);
-    updated += found == before.end() || found->second != around ? 1 : 0;
+    if (found != before.end() && found->second == around) continue;
+    updated += !has_mesh || has_mesh(node, around) ? 1 : 0;
   }
   return updated;
 }
@@ -74,7 +76,7 @@ bool AmortisedTree::pass(const Octree& aim, int budget, TreeChange& change) {
       next.merge(node);
     }
     DrawnNodes then = drawn_nodes(next);
-    const int updated = updated_between(now, then);
+    const int updated = updated_between(now, then, has_mesh_);
     if (budget > 0 && change.updated > 0 && change.updated + updated > budget) {
       ++change.wanting;
       continue;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "mesh/stacks/selection.h"
+
 namespace plumb::mesh::stacks {
 namespace {
 
-// Parts along a node's side.
-constexpr int kParts = 4;
 // Bounds below this part of a node's voxel are tight enough: most errors are a few times that.
 constexpr double kFineVoxels = 1.0 / 8.0;
 // Of so many triangles one is among the few that tell most nodes which are too coarse.
@@ -36,22 +36,6 @@ Triangles without(Triangles triangles, const std::vector<const TriangleTree*>& t
   return triangles;
 }
 
-// By the part of a box, `count` along each side, that a triangle's middle lies in or is nearest to.
-std::vector<Triangles> parted(const Triangles& triangles, const Box& box, int count) {
-  std::vector<Triangles> parts(static_cast<std::size_t>(count * count * count));
-  for (const Corners& triangle : triangles) {
-    const glm::dvec3 middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
-    int part = 0;
-    for (int axis = 2; axis >= 0; --axis) {
-      const double along =
-          count * (middle[axis] - box.low[axis]) / (box.high[axis] - box.low[axis]);
-      part = count * part + static_cast<int>(std::clamp(along, 0.0, count - 1.0));
-    }
-    parts[static_cast<std::size_t>(part)].push_back(triangle);
-  }
-  return parts;
-}
-
 Triangles some_of(const Triangles& triangles) {
   Triangles some;
   for (std::size_t k = 0; k < triangles.size(); k += kSome) some.push_back(triangles[k]);
@@ -67,6 +51,32 @@ Box box_of(const Triangles& triangles) {
 }
 
 }  // namespace
+
+std::vector<std::vector<Corners>> parted(const std::vector<Corners>& triangles, const Box& box,
+                                         int count) {
+  std::vector<Triangles> parts(static_cast<std::size_t>(count * count * count));
+  for (const Corners& triangle : triangles) {
+    const glm::dvec3 middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
+    int part = 0;
+    for (int axis = 2; axis >= 0; --axis) {
+      const double along =
+          count * (middle[axis] - box.low[axis]) / (box.high[axis] - box.low[axis]);
+      part = count * part + static_cast<int>(std::clamp(along, 0.0, count - 1.0));
+    }
+    parts[static_cast<std::size_t>(part)].push_back(triangle);
+  }
+  return parts;
+}
+
+Box drawn_box(const StackDensities& densities, const Node& node) {
+  const terrain::StackField& field = densities.field();
+  Box box = densities.box(node);
+  const glm::dvec3 reach = 2.0 * static_cast<double>(1 << node.level) *
+                           glm::dvec3(field.dx_m, field.dy_m, field.voxel_m);
+  box.low -= reach;
+  box.high += reach;
+  return box;
+}
 
 // Triangles in parts against a surface, both made only where something is not known yet.
 struct NodeErrors::Question {
@@ -214,6 +224,30 @@ std::vector<Box> NodeErrors::over_from_finest(
             fine_m(node.level), allowed, depth},
            over);
   }
+  return over;
+}
+
+double NodeErrors::apart_px(const Camera& camera, const Box& box, double distance_m) const {
+  return stacks::apart_px(camera, box, distance_m);
+}
+
+bool NodeErrors::is_over_among_equals(const DrawnMesh& drawn,
+                                      const std::function<NodeMeshes()>& around,
+                                      const Allowed& allowed) {
+  const NodeMeshes meshes = around();
+  // Most that are over are so at some points already.
+  for (const auto depth : {Depth::SomePoints, Depth::AllPoints}) {
+    if (!over_from_finest(drawn.node, meshes, allowed, depth).empty() ||
+        !over_to_finest(drawn, allowed, depth).empty())
+      return true;
+  }
+  return false;
+}
+
+std::vector<Box> NodeErrors::over(const DrawnMesh& drawn, const NodeMeshes& around,
+                                  const Allowed& allowed) {
+  std::vector<Box> over = over_to_finest(drawn, allowed);
+  for (const Box& box : over_from_finest(drawn.node, around, allowed)) over.push_back(box);
   return over;
 }
 

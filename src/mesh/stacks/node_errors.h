@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/box.h"
+#include "mesh/stacks/errors.h"
 #include "mesh/stacks/finest_surface.h"
 #include "mesh/stacks/node_cache.h"
 #include "mesh/stacks/octree.h"
@@ -18,26 +19,23 @@
 
 namespace plumb::mesh::stacks {
 
-/// What a camera asks for.
-struct Allowed {
-  std::function<bool(const Box&)> is_wanted;  // by a box, metres relative to (field().origin_m, 0)
-  /// Whether such a distance is too much for points of a box; true of a larger one where it is of
-  /// that. So it is of a larger box.
-  std::function<bool(const Box&, double distance_m)> is_over;
-};
+/// Parts along a node's side.
+inline constexpr int kParts = 4;
 
-/// A node and the mesh that it draws, which depends on what lies beside it.
-struct DrawnMesh {
-  Node node;
-  std::shared_ptr<const NodeMesh> mesh;
-};
+/// Triangles by the part of a box, `count` along each side, that their middle lies in or is nearest
+/// to.
+std::vector<std::vector<Corners>> parted(const std::vector<Corners>& triangles, const Box& box,
+                                         int count);
+
+/// What a node draws: its voxels and the cells that reach beyond them, a coarser level's included.
+Box drawn_box(const StackDensities& densities, const Node& node);
 
 /// What is drawn, measured against the finest level's surface itself, both ways, in parts of a
 /// node: 4 x 4 x 4 voxels of it.
 ///
 /// A measure is a function of the meshes that take part, whenever and by whatever thread it is
 /// asked for; each is made when it is first asked for, and kept.
-class NodeErrors {
+class NodeErrors final : public Errors {
  public:
   /// Whether a few points may tell, which never say that a part is over where all points do not.
   enum class Depth { SomePoints, AllPoints };
@@ -54,7 +52,13 @@ class NodeErrors {
                                     std::span<const std::shared_ptr<const NodeMesh>> meshes,
                                     const Allowed& allowed, Depth depth = Depth::AllPoints);
 
-  const FinestSurface& finest() const { return finest_; }
+  Box reach(const Node& node) const override { return drawn_box(densities_, node); }
+  double apart_px(const Camera& camera, const Box& box, double distance_m) const override;
+  void make(std::span<const Node> finest) const override { finest_.make(finest); }
+  bool is_over_among_equals(const DrawnMesh& drawn, const std::function<NodeMeshes()>& around,
+                            const Allowed& allowed) override;
+  std::vector<Box> over(const DrawnMesh& drawn, const NodeMeshes& around,
+                        const Allowed& allowed) override;
 
  private:
   // Distances, < 0 where they are not measured yet: of a few points, never above `all_m`; a bound

@@ -75,20 +75,27 @@ bool is_one_sided(const Lattice<float>& density) {
   return inside == 0 || inside == density.values().size();
 }
 
+// The samples of a node's level that it looks at, and of the next level where a coarser node is
+// beside it: its cells there, their samples, and those beside them.
+LatticeBox samples_of(const Node& node) { return voxels_of(node).grown(kMargin); }
+
+LatticeBox coarser_samples_of(const Node& node) {
+  const LatticeBox beside = halved(cells_around(voxels_of(node)));
+  return {beside.low - 1, beside.size + 3};
+}
+
 // None where no edge of the node can cross the surface.
 NodeCells cells_of(const Node& node, const Surroundings& around, const DensitySource& densities) {
   NodeCells cells;
   const NodePlaces places(around, node.at * kNodeVoxels, kNodeVoxels);
   const PlaceBits coarser = places.kind(Beside::Coarser), outside = places.kind(Beside::Outside);
-  Lattice<float> smoothed = densities(node.level, voxels_of(node).grown(kMargin));
+  Lattice<float> smoothed = densities(node.level, samples_of(node));
   const Owners owners{places, places.kind(Beside::Same) | outside, coarser};
   if (coarser == 0) {
     if (!is_one_sided(smoothed)) cells.fine.emplace(std::move(smoothed), std::nullopt, owners);
     return cells;
   }
-  // The next level's cells beside the node, their samples, and those beside them.
-  const LatticeBox beside = halved(cells_around(voxels_of(node)));
-  Lattice<float> next = densities(node.level + 1, {beside.low - 1, beside.size + 3});
+  Lattice<float> next = densities(node.level + 1, coarser_samples_of(node));
   const NodePlaces blocks(around, node.at * (kNodeVoxels / 2), kNodeVoxels / 2);
   Lattice<float> drawn = replaced(smoothed, next, blocks);
   if (is_one_sided(drawn)) return cells;
@@ -275,6 +282,14 @@ NodeMesh node_mesh(const Node& node, const Surroundings& around, const DensitySo
                    const NodeMeshOptions& options) {
   const NodeCells cells = cells_of(node, around, densities);
   return cells.fine ? Mesher(node, cells, options).mesh() : NodeMesh();
+}
+
+bool may_have_faces(const Node& node, const Surroundings& around, const UniformDensity& uniform) {
+  const std::optional<float> own = uniform(node.level, samples_of(node));
+  if (!own) return true;
+  const bool is_beside_coarser =
+      std::find(around.begin(), around.end(), Beside::Coarser) != around.end();
+  return is_beside_coarser && uniform(node.level + 1, coarser_samples_of(node)) != own;
 }
 
 }  // namespace plumb::mesh::stacks

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "mesh/dual_contouring/lattice.h"
@@ -69,5 +70,13 @@ struct NodeMeshOptions {
 /// docs/algorithms/material-stacks.md in place of its replacement of densities.
 NodeMesh node_mesh(const Node& node, const Surroundings& around, const DensitySource& densities,
                    const NodeMeshOptions& options);
+
+/// What all densities of a level in a box of its samples are, where that is plain; nothing where
+/// they differ.
+using UniformDensity =
+    std::function<std::optional<float>(int level, const dual_contouring::LatticeBox&)>;
+
+/// False only of a node whose mesh is empty, told without making it.
+bool may_have_faces(const Node& node, const Surroundings& around, const UniformDensity& uniform);
 
 }  // namespace plumb::mesh::stacks

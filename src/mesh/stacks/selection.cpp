@@ -11,6 +11,7 @@
 
 #include "core/parallel.h"
 #include "core/screen_error.h"
+#include "mesh/stacks/node_errors.h"
 
 namespace plumb::mesh::stacks {
 namespace {
@@ -48,17 +49,6 @@ double largest_tangent(const Camera& camera, const Box& box) {
   return largest;
 }
 
-// What a node draws: its voxels and the cells that reach beyond them, a coarser level's included.
-Box drawn_box(const StackDensities& densities, const Node& node) {
-  const terrain::StackField& field = densities.field();
-  Box box = densities.box(node);
-  const glm::dvec3 reach = 2.0 * static_cast<double>(1 << node.level) *
-                           glm::dvec3(field.dx_m, field.dy_m, field.voxel_m);
-  box.low -= reach;
-  box.high += reach;
-  return box;
-}
-
 // Whether a node and a child of one beside it share a corner at least.
 bool do_touch(const Node& node, const Node& finer) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -78,15 +68,15 @@ bool do_overlap(const Box& a, const Box& b) {
 // Finds the octree of conservative_selection.
 class ConservativeSelection {
  public:
-  ConservativeSelection(const StackDensities& densities, NodeErrors& errors, NodeCache& cache,
+  ConservativeSelection(const StackDensities& densities, Errors& errors, NodeCache& cache,
                         const Camera& camera, double tolerance_px)
       : densities_(densities),
         errors_(errors),
         cache_(cache),
         camera_(camera),
         allowed_{[&camera](const Box& box) { return may_be_in_view(camera, box); },
-                 [&camera, tolerance_px](const Box& box, double distance_m) {
-                   return apart_px(camera, box, distance_m) > tolerance_px;
+                 [&camera, &errors, tolerance_px](const Box& box, double distance_m) {
+                   return errors.apart_px(camera, box, distance_m) > tolerance_px;
                  }},
         octree_(densities.size()) {}
 
@@ -98,9 +88,7 @@ class ConservativeSelection {
   }
 
  private:
-  bool is_seen(const Node& node) const {
-    return may_be_in_view(camera_, drawn_box(densities_, node));
-  }
+  bool is_seen(const Node& node) const { return may_be_in_view(camera_, errors_.reach(node)); }
   // The nodes in view, by level.
   std::vector<std::vector<Node>> seen_nodes() const {
     std::vector<std::vector<Node>> seen(static_cast<std::size_t>(octree_.root_level()) + 1);
@@ -119,7 +107,7 @@ class ConservativeSelection {
   // too coarse those that hold it are not asked.
   void divide_as_among_equals() {
     const auto seen = seen_nodes();
-    errors_.finest().make(seen.front());
+    errors_.make(seen.front());
     std::unordered_set<Node, NodeHash> divided;
     for (const std::vector<Node>& nodes : seen) {
       std::vector<std::uint8_t> over(nodes.size(), 0);
@@ -139,17 +127,15 @@ class ConservativeSelection {
   }
 
   bool is_over_among_equals(const Node& node) {
-    std::vector<std::shared_ptr<const NodeMesh>> meshes;
-    for_each_around(node, [&](const Node& beside) {
-      if (octree_.is_inside(beside)) meshes.push_back(cache_.mesh(beside, among_equals()));
-    });
-    // Most that are over are so at some points already.
-    for (const auto depth : {NodeErrors::Depth::SomePoints, NodeErrors::Depth::AllPoints}) {
-      if (!errors_.over_from_finest(node, meshes, allowed_, depth).empty() ||
-          !errors_.over_to_finest({node, meshes.front()}, allowed_, depth).empty())
-        return true;
-    }
-    return false;
+    const auto around = [&] {
+      NodeMeshes meshes;
+      for_each_around(node, [&](const Node& beside) {
+        if (octree_.is_inside(beside)) meshes.push_back(cache_.mesh(beside, among_equals()));
+      });
+      return meshes;
+    };
+    return errors_.is_over_among_equals({node, cache_.mesh(node, among_equals())}, around,
+                                        allowed_);
   }
 
   // Looks at what is drawn, and divides where that is too coarse; false if it is nowhere.
@@ -162,11 +148,9 @@ class ConservativeSelection {
     parallel_for(static_cast<std::int64_t>(nodes.size()), 1, [&](std::int64_t i) {
       const auto k = static_cast<std::size_t>(i);
       if (!is_seen(nodes[k]) || is_finest(nodes[k])) return;
-      std::vector<std::shared_ptr<const NodeMesh>> around;
+      NodeMeshes around;
       for (const Node& node : drawn_around(nodes[k])) around.push_back(meshes[index.at(node)]);
-      over[k] = errors_.over_to_finest({nodes[k], meshes[k]}, allowed_);
-      for (const Box& box : errors_.over_from_finest(nodes[k], around, allowed_))
-        over[k].push_back(box);
+      over[k] = errors_.over({nodes[k], meshes[k]}, around, allowed_);
     });
     const Octree before = octree_;
     bool changed = false;
@@ -230,7 +214,7 @@ class ConservativeSelection {
   }
 
   const StackDensities& densities_;
-  NodeErrors& errors_;
+  Errors& errors_;
   NodeCache& cache_;
   const Camera& camera_;
   Allowed allowed_;
@@ -264,7 +248,7 @@ Octree published_selection(const StackDensities& densities, const Camera& camera
   return octree;
 }
 
-Octree conservative_selection(const StackDensities& densities, NodeErrors& errors, NodeCache& cache,
+Octree conservative_selection(const StackDensities& densities, Errors& errors, NodeCache& cache,
                               const Camera& camera, const Tolerance& tolerance) {
   return ConservativeSelection(densities, errors, cache, camera, tolerance.value).octree();
 }

@@ -4,8 +4,8 @@
 #include "core/box.h"
 #include "core/camera.h"
 #include "core/claim.h"
+#include "mesh/stacks/errors.h"
 #include "mesh/stacks/node_cache.h"
-#include "mesh/stacks/node_errors.h"
 #include "mesh/stacks/octree.h"
 #include "mesh/stacks/stack_densities.h"
 
@@ -27,12 +27,12 @@ double apart_px(const Camera& camera, const Box& box, double distance_m);
 Octree published_selection(const StackDensities& densities, const Camera& camera,
                            const Tolerance& tolerance);
 
-/// Nodes in view are divided until every bound of what is drawn there, and of the finest surface
-/// there, is within the tolerance; where the finest level is drawn it is zero. Nodes out of view
-/// are as coarse as those in view let them be.
+/// Nodes in view are divided until every bound of what is drawn there, and of what it stands for
+/// there, is within the tolerance, or the finest level is drawn. Nodes out of view are as coarse as
+/// those in view let them be.
 ///
 ///   (1) The same whatever was selected and measured before.
-Octree conservative_selection(const StackDensities& densities, NodeErrors& errors, NodeCache& cache,
+Octree conservative_selection(const StackDensities& densities, Errors& errors, NodeCache& cache,
                               const Camera& camera, const Tolerance& tolerance);
 
 }  // namespace plumb::mesh::stacks

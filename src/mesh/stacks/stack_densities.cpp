@@ -87,11 +87,15 @@ std::size_t StackDensities::bytes() const {
 
 Lattice<float> StackDensities::operator()(int level, const LatticeBox& box) const {
   const auto at = static_cast<std::size_t>(level);
+  if (const auto density = uniform(level, box)) return Lattice<float>(box, *density);
   const LatticeBox wide = box.grown(filter_.radius);
-  if (const auto density = uniform_density(levels_[at], nearest_[at], wide))
-    return Lattice<float>(box, *density);
   return dual_contouring::smoothed(dual_contouring::density_of(levels_[at], wide, nearest_[at]),
                                    filter_);
+}
+
+std::optional<float> StackDensities::uniform(int level, const LatticeBox& box) const {
+  const auto at = static_cast<std::size_t>(level);
+  return uniform_density(levels_[at], nearest_[at], box.grown(filter_.radius));
 }
 
 Lattice<float> StackDensities::of_material(int level, terrain::Material material,

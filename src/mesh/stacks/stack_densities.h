@@ -3,6 +3,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <optional>
 #include <vector>
 
 #include "core/box.h"
@@ -36,6 +37,8 @@ class StackDensities {
   /// A DensitySource: what density_of() and smoothed() say, faster where there is no surface.
   dual_contouring::Lattice<float> operator()(int level,
                                              const dual_contouring::LatticeBox& box) const;
+  /// What all samples of a box are, where that is plain from the stacks: 1 ground, 0 air.
+  std::optional<float> uniform(int level, const dual_contouring::LatticeBox& box) const;
   dual_contouring::Lattice<float> of_material(int level, terrain::Material material,
                                               const dual_contouring::LatticeBox& box) const;
   /// The materials but air whose density may be above zero somewhere in a box: all others are zero

@@ -73,5 +73,21 @@ TEST(AmortisedTree, CountsAsThePaperDoes) {
   EXPECT_EQ(merge.updated, 1);
 }
 
+// Of eight children the lower four have a mesh: four are made. Where none has one the tree follows
+// at once, whatever the budget.
+TEST(AmortisedTree, CountsNoMeshOfANodeWithoutASurface) {
+  AmortisedTree half(glm::ivec3(32),
+                     [](const Node& node, const Surroundings&) { return node.at.z == 0; });
+  Octree aim{glm::ivec3(32)};
+  aim.divide(aim.root());
+  half.step(Octree{glm::ivec3(32)}, 0);
+  EXPECT_EQ(half.step(aim, 40).updated, 4);
+  AmortisedTree none(kSize, [](const Node&, const Surroundings&) { return false; });
+  const TreeChange change = none.step(aim_at(0), 1);
+  EXPECT_EQ(none.tree().drawn(), aim_at(0).drawn());
+  EXPECT_GT(change.splits, 1);
+  EXPECT_EQ(change.updated, 0);
+}
+
 }  // namespace
 }  // namespace plumb::mesh::stacks
