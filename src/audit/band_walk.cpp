@@ -54,7 +54,7 @@ BandWalk::Way BandWalk::follow_piece(const glm::dvec3& from, const glm::dvec3& t
 bool BandWalk::is_beyond(const glm::dvec3& point, Side side) const {
   const double height = truth_.height_at(point.x, point.y);
   const double off = side == Side::Below ? height - point.z : point.z - height;
-  if (!(off > truth_.slack_m) || off <= band_.metres) return false;
+  if (!(off > band_.metres + truth_.slack_m)) return false;
   return screen_displacement_px(local_, {point.x, point.y, height}, kUp, point.z - height) >
          band_.pixels * (1.0 + kSameDepth);
 }

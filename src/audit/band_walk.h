@@ -28,6 +28,13 @@ class BandWalk {
   /// their edges. Points are relative to the terrain's origin.
   Way follow(const glm::dvec3& from, const glm::dvec3& to, Side side) const;
 
+  /// True if the line meets a place without surface first, or nowhere, its end included, is farther
+  /// from the truth on that side than the band.
+  bool is_free(const glm::dvec3& from, const glm::dvec3& to, Side side) const {
+    const Way way = follow(from, to, side);
+    return way == Way::Open || (way == Way::Unknown && !is_beyond(to, side));
+  }
+
   /// True if the point is farther from the truth above or below it than the band.
   bool is_beyond(const glm::dvec3& point, Side side) const;
 

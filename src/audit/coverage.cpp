@@ -65,29 +65,24 @@ class SecondLook {
 
   // True if a surface that keeps to the band may let the pixel's ray pass, where the truth does
   // not. Lowered, it lets the ray run on to `end`, or through a void or beyond the terrain. Raised,
-  // it lets it slip below its rim, where it came over a void or from outside, or begins below it.
+  // it lets it slip below its rim, where it came over a void or from outside, or begins below it:
+  // back from where the truth was met, at the near plane.
   bool may_pass(std::size_t pixel, const glm::dvec3& end) const {
-    const glm::dvec3 met = local_.eye_m + true_hits_.from_eye_m[pixel];
-    return walk_.follow(met, end, BandWalk::Side::Below) != BandWalk::Way::Blocked ||
-           may_begin_below(pixel, met);
+    const glm::dvec3& ray = true_hits_.from_eye_m[pixel];
+    const glm::dvec3 met = local_.eye_m + ray;
+    const glm::dvec3 begin = local_.eye_m + ray * (local_.near_m / true_hits_.depth_m[pixel]);
+    return walk_.is_free(met, end, BandWalk::Side::Below) ||
+           walk_.is_free(met, begin, BandWalk::Side::Above);
   }
 
-  // Back from where the truth was met to where the picture begins, at the near plane.
-  bool may_begin_below(std::size_t pixel, const glm::dvec3& met) const {
-    const glm::dvec3 begin =
-        local_.eye_m + true_hits_.from_eye_m[pixel] * (local_.near_m / true_hits_.depth_m[pixel]);
-    const BandWalk::Way way = walk_.follow(met, begin, BandWalk::Side::Above);
-    return way == BandWalk::Way::Open ||
-           (way == BandWalk::Way::Unknown && !walk_.is_beyond(begin, BandWalk::Side::Above));
-  }
-
-  // A point of the pixel's ray beyond the terrain.
+  // Where the pixel's ray leaves the picture: beyond the terrain, or at the far plane.
   glm::dvec3 beyond(std::size_t pixel) const {
     const terrain::Heightfield& field = truth_.field();
     const glm::dvec3& ray = true_hits_.from_eye_m[pixel];
     const double across = std::sqrt(ray.x * ray.x + ray.y * ray.y),
-                 extent = field.cell_columns() * field.dx_m + field.cell_rows() * field.dy_m;
-    return local_.eye_m + ray * (across > 0.0 ? 1.0 + extent / across : 1.0);
+                 extent = field.cell_columns() * field.dx_m + field.cell_rows() * field.dy_m,
+                 length = across > 0.0 ? 1.0 + extent / across : 1.0;
+    return local_.eye_m + ray * std::min(length, local_.far_m / true_hits_.depth_m[pixel]);
   }
 
   // How far around a pixel truth rays are cast, pixels: as far as the surface may have moved there.

@@ -57,7 +57,8 @@ struct Coverage {
 ///       surface may stray by metres, as far around as `band.metres` reach on screen at that
 ///       point's depth.
 ///   No hole is where the pixel's ray, all the way from the near plane, runs no farther above the
-///   truth than the band: the surface may lie above the eye.
+///   truth than the band, or on to the far plane no farther below it: the surface may lie above the
+///   eye, or beyond the picture.
 ///   An overshoot is none if there is truth above or below the point drawn within the band: seen
 ///   edge on, it is hit by no ray.
 ///   (3) See-through: the point drawn lies behind all truth within the band, the truth above or

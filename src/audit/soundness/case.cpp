@@ -81,7 +81,9 @@ Case draw_case(const MethodTable& table, std::uint64_t seed, std::int64_t index,
   RandomNumbers random(seed, static_cast<std::uint64_t>(index));
   const Method& method = draw_method(random, table, only);
   drawn.scene.method = method.name;
-  draw_terrain(random, method.full_detail != nullptr, drawn.scene, drawn.traits);
+  // A method of stacks draws terrains of heights too.
+  const bool of_stacks = method.full_detail != nullptr && random.chance(0.5);
+  draw_terrain(random, of_stacks, drawn.scene, drawn.traits);
   terrain::Heightfield field = terrain::load_terrain(drawn.scene.terrain, drawn.scene.read);
   if (random.chance(0.15) && field.stacks == nullptr && !bounds(field).empty()) {
     drawn.scene.read.no_data_policy = terrain::NoDataPolicy::Fill;

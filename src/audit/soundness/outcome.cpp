@@ -68,6 +68,7 @@ struct Refusal {
 constexpr Refusal kStated[] = {
     {"patches need 2 x 2 samples", "patches need 2 x 2 samples"},
     {"has holes alone has no surface", "a terrain of stacks without a stack"},
+    {"a terrain without a height has no stacks", "a terrain without a height as stacks"},
 };
 
 }  // namespace

@@ -53,9 +53,9 @@ void expect_everywhere(Scene& scene, const Expected& expected) {
 // Heights as stacks move by a part of a voxel, here 10 m.
 void find_of_stacks(Scene& scene) {
   scene.finding =
-      "As stacks the ground is up to a voxel, 10 m, off its heights. As published that is broken "
-      "coverage; the conservative variant says that the tolerance is out of reach for an eye as "
-      "near, claims what it reaches, and keeps it.";
+      "As stacks the ground is up to a voxel, 10 m, off its heights: for an eye as near that is "
+      "more than the tolerance. As published nothing says so; the conservative variant does, "
+      "claims what it reaches, and keeps it.";
 }
 
 void refuse_as_patches(Scene& scene, const std::string& why) {
