@@ -108,7 +108,8 @@ class Planner {
   void add_runs(const SweepMethod& asked) {
     const std::size_t at = plan_.groups.size() - 1;
     const RunGroup& group = plan_.groups[at];
-    for (const Tolerance& tolerance : asked.tolerances) {
+    const auto& tolerances = takes_sizes(group) ? plan_.scene.sizes : asked.tolerances;
+    for (const Tolerance& tolerance : tolerances) {
       for (std::size_t v = 0; v < plan_.terrains[group.terrain].views.size(); ++v) {
         PlannedRun run{at, v, tolerance, "", "", group.skipped};
         if (run.skipped.empty()) run.skipped = why_not(*group.method, tolerance);
@@ -121,6 +122,12 @@ class Planner {
         plan_.runs.push_back(std::move(run));
       }
     }
+  }
+
+  bool takes_sizes(const RunGroup& group) const {
+    const std::vector<std::string>& variants = group.method->size_variants;
+    return !plan_.scene.sizes.empty() &&
+           std::find(variants.begin(), variants.end(), group.choice.variant) != variants.end();
   }
 
   const MethodTable& table_;

@@ -201,6 +201,8 @@ void read_key(Draft& draft, const std::string& key, const TomlValue& value) {
     draft.tolerances_px = tolerances_in(value, Unit::Pixel);
   } else if (key == "tolerances_m") {
     draft.tolerances_m = tolerances_in(value, Unit::Metre);
+  } else if (key == "sizes_px") {
+    draft.scene.sizes = tolerances_in(value, Unit::Pixel);
   } else if (key == "cameras") {
     read_cameras(draft, value);
   } else if (key == "width") {
@@ -213,8 +215,8 @@ void read_key(Draft& draft, const std::string& key, const TomlValue& value) {
     read_only(draft, value);
   } else {
     unknown_key(value, "a sweep",
-                {"terrains", "methods", "variants", "tolerances_px", "tolerances_m", "cameras",
-                 "width", "height", "parameters", "only"});
+                {"terrains", "methods", "variants", "tolerances_px", "tolerances_m", "sizes_px",
+                 "cameras", "width", "height", "parameters", "only"});
   }
 }
 

@@ -50,6 +50,7 @@ struct SweepMethod {
 struct SweepScene {
   std::vector<SweepTerrain> terrains;
   std::vector<SweepMethod> methods;
+  std::vector<Tolerance> sizes;  // of variants whose tolerance is a size; empty: their tolerances
   std::vector<SweepCamera> cameras;
 };
 
@@ -61,6 +62,8 @@ struct SweepScene {
 ///   variants       of the methods (["conservative"])
 ///   tolerances_px  numbers ([1], unless there are tolerances_m)
 ///   tolerances_m   numbers, after those in pixels
+///   sizes_px       numbers: what variants whose tolerance is a size (Method::size_variants) run in
+///                  place of tolerances
 ///   cameras        presets, files (a camera or a path, beside the scene) and tables with a name
 ///                  and the keys of a camera file (["oblique"])
 ///   width, height  of the pictures of cameras that state none (1920 x 1080)

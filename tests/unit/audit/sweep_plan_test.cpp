@@ -62,6 +62,22 @@ tolerances_m = [2])",
   EXPECT_EQ(plan.runs[4].skipped, "method exact draws heights, and caves is a terrain of stacks");
 }
 
+TEST(SweepPlan, RunsVariantsOfSizesWithSizes) {
+  MethodTable table = small_methods();
+  table.front().variants = {"conservative", "published"};
+  table.front().size_variants = {"published"};
+  const std::string scene = R"(terrains = ["generate:plane?size=5"]
+methods = ["exact"]
+variants = ["conservative", "published"]
+tolerances_px = [1, 2]
+)";
+  const std::vector<std::string> with = names_of(small_plan(scene + "sizes_px = [160]", table));
+  ASSERT_EQ(with.size(), 3u);
+  EXPECT_EQ(with[1], "plane, exact, conservative, 2px, oblique");
+  EXPECT_EQ(with[2], "plane, exact, published, 160px, oblique");
+  EXPECT_EQ(small_plan(scene, table).runs.size(), 4u);
+}
+
 TEST(SweepPlan, RefusesTwoRunsThatAskForTheSame) {
   EXPECT_THROW(
       small_plan(std::string("terrains = [\"generate:plane?size=5\"]\nmethods = [\"exact\"]\n"

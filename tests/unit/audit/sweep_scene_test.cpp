@@ -134,7 +134,7 @@ TEST(SweepScene, SaysWhatIsWrongAndWhere) {
   const std::string small = kSmall;  // two lines
   EXPECT_EQ(error_of(small + "tolerances = [1]"),
             "sweep.toml, line 3: tolerances: unknown key; a sweep has terrains, methods, variants, "
-            "tolerances_px, tolerances_m, cameras, width, height, parameters, only");
+            "tolerances_px, tolerances_m, sizes_px, cameras, width, height, parameters, only");
   EXPECT_EQ(error_of(small + "tolerances_px = [1, -2]"),
             "sweep.toml, line 3: tolerances_px: expected numbers of at least zero, got -2");
   EXPECT_EQ(error_of(small + "tolerances_px = [1, 2, 1]"),
