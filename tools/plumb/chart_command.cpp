@@ -11,6 +11,7 @@
 
 #include "audit/chart/chart_data.h"
 #include "audit/chart/chart_page.h"
+#include "audit/chart/chart_tables.h"
 #include "chart_maps.h"
 #include "chart_print.h"
 #include "child_process.h"
@@ -123,6 +124,9 @@ int run_chart(const ChartOptions& options, const Invocation& invocation) {
   }
   progress.step("drawing the page");
   write_page(options, input, written);
+  write_file_atomically(fs::path(options.output) / "tables.md",
+                        chart::chart_tables(table, input.cost, invocation.command_line()));
+  written.files.push_back("tables.md");
   progress.step("drawing for print");
   print_charts(options.output, input, written.files, written.left_out);
   progress.finish();
@@ -153,7 +157,7 @@ Command chart_command() {
         "and variant), TERRAIN/CAMERA (of each at the tolerance nearest to 1), or a key");
     options.group("Output");
     add_output_option(options, values->output,
-                      "Folder for charts.html and each chart as SVG and PNG");
+                      "Folder for charts.html, tables.md and each chart as SVG and PNG");
     options.require_option("--output");
     add_json_option(options, values->json);
     return [values](const Invocation& invocation) { return run_chart(*values, invocation); };

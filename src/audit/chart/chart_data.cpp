@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "audit/chart/camera_paths.h"
+#include "audit/chart/winners.h"
 
 namespace plumb::audit::chart {
 namespace {

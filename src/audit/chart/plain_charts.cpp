@@ -10,6 +10,7 @@
 
 #include "audit/chart/camera_paths.h"
 #include "audit/chart/chart_data.h"
+#include "audit/chart/winners.h"
 #include "core/check.h"
 #include "report/plain_chart.h"
 

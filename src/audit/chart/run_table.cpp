@@ -75,6 +75,17 @@ std::array<std::optional<double>, kCosts.size()> costs_of(const json& cost, cons
           number(cost, "bytes_resident"),   unless_zero(number(cost, "bytes_encoded"))};
 }
 
+// What a picture of caves is held against is the nearest point, up and down meaning nothing there:
+// one chart shows both.
+void name_nearest_pixel_error(std::vector<ClaimedAndMeasured>& claims) {
+  const auto is = [](const char* measure) {
+    return [measure](const ClaimedAndMeasured& claim) { return claim.measure == measure; };
+  };
+  if (std::any_of(claims.begin(), claims.end(), is("pixel-error"))) return;
+  for (ClaimedAndMeasured& claim : claims)
+    if (is("nearest-error")(claim)) claim.measure = "pixel-error";
+}
+
 std::vector<ClaimedAndMeasured> claims_of(const json& line) {
   std::vector<ClaimedAndMeasured> claims;
   const json* list = member(line, "claims");
@@ -89,7 +100,18 @@ std::vector<ClaimedAndMeasured> claims_of(const json& line) {
         {claim.value("measure", ""), unit, number(claim, "claimed").value_or(kInfinite),
          without_rounding(number(claim, "measured").value_or(kInfinite)), holds->get<bool>()});
   }
+  name_nearest_pixel_error(claims);
   return claims;
+}
+
+double wrong_pixels_of(const json& line) {
+  const json* list = member(line, "claims");
+  if (list == nullptr) return 0.0;
+  for (const json& claim : *list) {
+    if (claim.value("by", "") == "method" && claim.value("measure", "") == "coverage")
+      return number(claim, "measured").value_or(0.0);
+  }
+  return 0.0;
 }
 
 std::string parameters_of(const json& asked) {
@@ -183,6 +205,9 @@ class Reader {
     run.costs = costs_of(line.at("cost"), timing != nullptr ? *timing : nothing);
     run.shared = timing != nullptr && timing->value("shared", false);
     run.claims = claims_of(line);
+    run.wrong_pixels = wrong_pixels_of(line);
+    if (const json* patches = member(line, "patch_claims"))
+      run.wrong_patches = patches->value("broken", std::int64_t{0});
     run.popping_px = popping_of(line);
     run.verdict = line.value("verdict", "none");
     run.command = line.value("command", "");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <optional>
@@ -37,7 +38,7 @@ inline constexpr double kRounding = 1e-6;
 
 /// A claim of a method about the whole frame, beside what was measured; +inf for no finite number.
 struct ClaimedAndMeasured {
-  std::string measure;  // as the audit names it: "pixel-error"
+  std::string measure;  // as the audit names it: "pixel-error", a nearest-error without one too
   std::string unit;     // "px" or "m"
   double claimed = 0.0, measured = 0.0;
   bool holds = true;
@@ -64,6 +65,8 @@ struct Run {
   std::array<std::optional<double>, kCosts.size()> costs;  // none: does not apply
   bool shared = false;                                     // other runs used the machine meanwhile
   std::vector<ClaimedAndMeasured> claims;
+  double wrong_pixels = 0.0;       // where coverage was claimed: holes, overshoots, see-through
+  std::int64_t wrong_patches = 0;  // patches that broke a claim of their own
   std::optional<double> popping_px;
   std::string verdict;  // "held", "broken" or "none"
   std::string command, key;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
-#include <set>
 #include <tuple>
 
 #include "core/check.h"
@@ -45,58 +43,6 @@ Setting summarised(const std::vector<const Run*>& runs) {
     setting.costs[cost] = median_of(values);
   }
   return setting;
-}
-
-// A picture that was asked of every method.
-using View = std::tuple<int, int, int>;  // terrain, camera, frame
-
-// One series at one tolerance over all terrains of a kind.
-struct Competitor {
-  int series = 0;
-  double tolerance = 0.0;
-  double worst_px = 0.0;  // over the views
-  double cost = 0.0;      // median over the views
-};
-
-struct OfKind {
-  std::set<View> views;
-  std::map<std::pair<int, double>, std::map<View, const Run*>> settings;
-};
-
-std::vector<Competitor> competitors(const OfKind& kind, std::size_t cost) {
-  std::vector<Competitor> all;
-  for (const auto& [setting, runs] : kind.settings) {
-    if (runs.size() < kind.views.size()) continue;
-    Competitor one{setting.first, setting.second, 0.0, 0.0};
-    std::vector<double> costs;
-    for (const auto& [view, run] : runs) {
-      one.worst_px = std::max(one.worst_px, *run->error_px);
-      costs.push_back(*run->costs[cost]);
-    }
-    one.cost = median(std::move(costs));
-    all.push_back(one);
-  }
-  // The cheapest first; the map's order settles ties.
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Competitor& a, const Competitor& b) { return a.cost < b.cost; });
-  return all;
-}
-
-Winner winner_at(double limit_px, int kind, const std::vector<Competitor>& sorted) {
-  Winner winner{.kind = kind, .limit_px = limit_px};
-  for (const Competitor& one : sorted) {
-    if (one.worst_px > limit_px) continue;
-    if (winner.series < 0) {
-      winner.series = one.series;
-      winner.tolerance = one.tolerance;
-      winner.cost = one.cost;
-    } else if (one.series != winner.series) {
-      winner.second = one.series;
-      winner.times_cheaper = winner.cost > 0.0 ? one.cost / winner.cost : 0.0;
-      break;
-    }
-  }
-  return winner;
 }
 
 }  // namespace
@@ -142,40 +88,6 @@ std::vector<Setting> settings_of(const RunTable& table) {
     mark_fronts(std::span(settings).subspan(begin, end - begin));
   }
   return settings;
-}
-
-std::vector<std::string> kinds_of(const RunTable& table) {
-  std::vector<std::string> kinds;
-  const auto add = [&](const std::string& kind) {
-    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
-  };
-  for (const char* usual : {"smooth", "alpine", "urban", "caves"})
-    for (const Terrain& terrain : table.terrains)
-      if (terrain.kind == usual) add(usual);
-  for (const Terrain& terrain : table.terrains) add(terrain.kind);
-  return kinds;
-}
-
-std::vector<Winner> winners_of(const RunTable& table, std::size_t cost) {
-  require(cost < kCosts.size(), "a cost must be one of {}, got {}", kCosts.size(), cost);
-  const std::vector<std::string> kinds = kinds_of(table);
-  std::vector<OfKind> by_kind(kinds.size());
-  for (const Run& run : table.runs) {
-    if (!run.error_px || !run.costs[cost]) continue;
-    const std::string& kind = table.terrains[static_cast<std::size_t>(run.terrain)].kind;
-    OfKind& own = by_kind[static_cast<std::size_t>(std::find(kinds.begin(), kinds.end(), kind) -
-                                                   kinds.begin())];
-    const View view{run.terrain, run.camera, run.frame};
-    own.views.insert(view);
-    own.settings[{run.series, run.tolerance}].emplace(view, &run);
-  }
-  std::vector<Winner> winners;
-  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
-    const std::vector<Competitor> sorted = competitors(by_kind[kind], cost);
-    for (const double limit : kErrorLimits)
-      winners.push_back(winner_at(limit, static_cast<int>(kind), sorted));
-  }
-  return winners;
 }
 
 }  // namespace plumb::audit::chart

@@ -1,5 +1,5 @@
-// Eyes on the ground or so near to it that the surface drawn may lie above them, and far planes that
-// it may lie beyond.
+// Eyes on the ground or so near to it that the surface drawn may lie above them, and far planes
+// that it may lie beyond.
 #include <gtest/gtest.h>
 
 #include "audit/audit.h"

@@ -46,6 +46,15 @@ TEST(RunTable, TakesANullBesideACountForAnInfiniteError) {
   EXPECT_FALSE(table.runs[0].claims[0].holds);
 }
 
+// Caves claim the nearest point in a picture, and nothing up or down.
+TEST(RunTable, ShowsANearestErrorWithPixelErrorsWhereThereIsNone) {
+  std::string line = line_of({});
+  const std::size_t at = line.find("pixel-error");
+  ASSERT_NE(at, std::string::npos);
+  line.replace(at, 11, "nearest-error");
+  EXPECT_EQ(parse_runs(line, "r").runs[0].claims.at(0).measure, "pixel-error");
+}
+
 TEST(RunTable, HasNoErrorOfAViewOfNothing) {
   EXPECT_FALSE(parse_runs(line_of({.empty = true}), "r").runs[0].error_px);
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "audit/chart/winners.h"
 #include "support/sweep_lines.h"
 
 namespace plumb::audit::chart {
