@@ -68,7 +68,7 @@ struct Scene {
   LookAt camera;
   std::vector<LookAt> before = {};  // frames that are shown first
   Tolerance tolerance = {};
-  std::optional<Tolerance> size = {};  // the published variant's, where that is a size, no error
+  std::optional<Tolerance> size = {};  // of a variant whose tolerance is a size, no error
   std::map<std::string, std::string> parameters = {};
   /// What stands for the published variant of a method that has none; null: nothing does.
   std::function<DrawnSurface(const terrain::Heightfield&, const Tolerance&)> as_printed = {};

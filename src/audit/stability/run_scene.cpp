@@ -45,10 +45,14 @@ class Truth {
   std::optional<MeshTruth> mesh_;
 };
 
+bool takes_a_size(const Method& method, const std::string& variant) {
+  const std::vector<std::string>& variants = method.size_variants;
+  return std::find(variants.begin(), variants.end(), variant) != variants.end();
+}
+
 AuditOptions options_of(const Scene& scene, const Method& method, const std::string& variant) {
   AuditOptions options;
-  const std::vector<std::string>& sizes = method.size_variants;
-  if (std::find(sizes.begin(), sizes.end(), variant) != sizes.end()) return options;
+  if (takes_a_size(method, variant)) return options;
   (scene.tolerance.unit == Unit::Pixel ? options.band.pixels : options.band.metres) =
       scene.tolerance.value;
   return options;
@@ -164,8 +168,9 @@ class Stage {
 
   DrawnSurface last_frame(const terrain::Heightfield& field, const MethodChoice& choice,
                           const Camera& camera) const {
-    const Tolerance tolerance =
-        choice.variant == "published" ? scene_.size.value_or(scene_.tolerance) : scene_.tolerance;
+    const Tolerance tolerance = takes_a_size(method_, choice.variant)
+                                    ? scene_.size.value_or(scene_.tolerance)
+                                    : scene_.tolerance;
     const auto prepared = prepare_method(method_, field, choice, tolerance);
     const auto frames = prepared->start();
     for (const LookAt& before : scene_.before) frames->step(make_camera(before), tolerance);
