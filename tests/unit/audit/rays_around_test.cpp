@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "audit/coverage_parts.h"
@@ -54,6 +56,32 @@ TEST(RaysAround, AnswerAsOneRayAfterAnother) {
       EXPECT_LT(passing, asked);
     }
   }
+}
+
+// Only one ray of all reaches as deep as the deepest, so that each has to be cast.
+TEST(RaysAround, FindTheOneThatPasses) {
+  const terrain::Heightfield field = terrain::load_terrain("generate:alpine?size=65");
+  const HeightfieldTruth truth(field, terrain::Diagonal::Alternating);
+  const Camera camera = make_camera(terrain::preset_camera(field, "top", 24, 15, 40.0));
+  const RaysAround rays(truth, camera);
+  int asked = 0;
+  for (int y = 0; y < camera.height_px; y += 2) {
+    for (int x = 0; x < camera.width_px; x += 2) {
+      for (const double reach : {1.0, 4.0, 9.0}) {
+        double deepest = 0.0;
+        any_ray_around(truth.caster, camera, x, y, reach, [&](const reference::RayHit& ray) {
+          deepest = std::max(deepest, ray ? ray.t : kInfinity);
+          return false;
+        });
+        if (deepest == kInfinity) continue;
+        EXPECT_TRUE(rays.any_passes(x, y, reach, deepest)) << x << " " << y << " " << reach;
+        EXPECT_FALSE(rays.any_passes(x, y, reach, std::nextafter(deepest, kInfinity)))
+            << x << " " << y << " " << reach;
+        ++asked;
+      }
+    }
+  }
+  EXPECT_GT(asked, 50);
 }
 
 }  // namespace
