@@ -41,8 +41,10 @@ std::vector<std::shared_ptr<const NodeMesh>> NodeCache::meshes(const Octree& oct
     const std::size_t k = missing[static_cast<std::size_t>(i)];
     found[k] = made(nodes[k], around[k]);
   });
+  // Another thread may have been faster: its mesh is the one that is kept.
   const std::lock_guard lock(mutex_);
-  for (const std::size_t k : missing) meshes_.try_emplace({nodes[k], packed(around[k])}, found[k]);
+  for (const std::size_t k : missing)
+    found[k] = meshes_.try_emplace({nodes[k], packed(around[k])}, found[k]).first->second;
   return found;
 }
 

@@ -15,7 +15,9 @@
 
 namespace plumb::mesh::stacks {
 
-/// The meshes of nodes by what lies beside them. Safe to ask from several threads.
+/// The meshes of nodes by what lies beside them. Safe to ask from several threads: whoever asks for
+/// a mesh is given the same one, which lives as long as the cache, so that what is known of a mesh
+/// may be kept by its address.
 class NodeCache {
  public:
   NodeCache(std::shared_ptr<const StackDensities> densities, NodeMeshOptions options)

@@ -28,8 +28,9 @@ StackField half_shape(const StackField& finer) {
 
 }  // namespace
 
-StackField halved(const StackField& finer) {
-  const float high_m = finer.highest_m();
+StackField halved(const StackField& finer) { return halved(finer, finer.highest_m()); }
+
+StackField halved(const StackField& finer, float high_m) {
   return field_of_rows(half_shape(finer), [&](int j, StackWriter& row) {
     Aggregation aggregation;
     std::array<StackView, 4> stacks;
@@ -55,8 +56,9 @@ std::vector<StackField> stack_pyramid(StackField finest, int levels) {
   std::vector<StackField> pyramid;
   pyramid.reserve(static_cast<std::size_t>(levels));
   pyramid.push_back(std::move(finest));
+  const float high_m = pyramid.front().highest_m();
   while (pyramid.size() < static_cast<std::size_t>(levels))
-    pyramid.push_back(halved(pyramid.back()));
+    pyramid.push_back(halved(pyramid.back(), high_m));
   return pyramid;
 }
 

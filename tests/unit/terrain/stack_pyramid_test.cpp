@@ -50,6 +50,17 @@ TEST(StackPyramid, KeepsHeightsExact) {
   }
 }
 
+// Two rows of rock up to the top, two of air. Level 1 has voxels up to 4 m, of which the topmost
+// reaches above all stacks: no air there votes for air, and of equal ones rock fills.
+TEST(StackPyramid, HasOneIntervalOfHeightsOnAllLevels) {
+  std::vector<std::string> rows(8, "rrr");
+  rows.resize(16, "...");
+  const auto pyramid = stack_pyramid(written_stacks(4, rows), 3);
+  EXPECT_EQ(pyramid[1].voxels, 2);
+  EXPECT_EQ(pyramid[2].stack(0, 0).end_m[0], 3.0F);
+  EXPECT_EQ(pyramid[2].stack(0, 0).material[0], pyramid[0].stack(0, 0).material[0]);
+}
+
 TEST(StackPyramid, CountsTheBorderTwice) {
   // The third column has no neighbour: its two stacks count twice each, a tie of rock and air
   // between 1 and 3 m.
