@@ -115,7 +115,7 @@ TEST(BuildStacks, TakesVoxelsAndMeshes) {
   const json cave = json_of(
       stacks(file, {"--mesh", mesh, "--up", "y", "--spacing", "1", "--subtract", "--margin", "2"}));
   EXPECT_EQ(cave.at("materials")[0].at("volume_m3"), solid.at("materials")[1].at("volume_m3"));
-  EXPECT_EQ(cave.at("terrain").at("columns"), 4 + 1 + 2 * 2);
+  EXPECT_EQ(cave.at("terrain").at("columns"), 4 + 2 + 2 * 2);
 }
 
 TEST(BuildStacks, TellsBadInputInOneLineAndLeavesNothing) {

@@ -81,6 +81,7 @@ std::string measured(const PlanCommandOptions& options, bool timed) {
   for (std::size_t k = 0; k < runs.runs.size(); ++k) {
     if (runs.runs[k].skipped.empty()) wanted.push_back(k);
   }
+  if (wanted.empty()) input_error("{}: no method of it draws any of its terrains", options.scene);
   sweep::RunnerOptions runner;
   runner.timed = timed;
   runner.threads = timed ? 1 : options.threads > 0 ? options.threads : available_threads();

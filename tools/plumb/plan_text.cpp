@@ -37,7 +37,8 @@ class PlanTable {
     const double best = plan_.choice.best ? plan_.choice.best->cost : worth.cost;
     rows_.push_back({what, plan::name_of(subject_.table, setting), cost_text(worth.cost, kind),
                      times_text(worth.cost, best), short_number(worth.error),
-                     plan_.views[worth.worst_view], fmt::format("{:.0f}", worth.triangles)});
+                     plan_.views[worth.worst_view],
+                     worth.triangles > 0.0 ? fmt::format("{:.0f}", worth.triangles) : "-"});
   }
   std::string text() const {
     return text_table({{""},
@@ -82,7 +83,7 @@ std::string terrain_text(const PlanSubject& subject, const plan::TerrainPlan& pl
       fmt::format("{} ({}): {} settings in {} views", terrain.name, terrain.kind,
                   choice.candidates + choice.incomplete, plan.views.size() - plan.held_out.size());
   if (choice.incomplete > 0)
-    text += fmt::format(", {} of them not measured in all", choice.incomplete);
+    text += fmt::format(", {} of them without an error or that cost in all", choice.incomplete);
   text += "\n";
   PlanTable table(subject, plan);
   if (choice.best) table.add("take", *choice.best);

@@ -23,6 +23,10 @@ constexpr std::array<const char*, 7> kColours{"#0072b2", "#d55e00", "#009e73", "
 constexpr std::array<const char*, 8> kShapes{"circle",        "square",        "triangle-up",
                                              "diamond",       "cross",         "triangle-down",
                                              "triangle-left", "triangle-right"};
+// Places of the methods that everybody has; others come after them.
+constexpr std::array<const char*, 7> kPlaces{
+    "chunked", "full",   "hybrid-slicing", "restricted-quadtree",
+    "slicing", "stacks", "tessellation"};
 constexpr std::array<const char*, 4> kDashes{"", "6 3", "2 2", "9 3 2 3"};
 
 Json number(std::optional<double> value) {
@@ -216,10 +220,14 @@ Json asked_json(const std::vector<Asked>& all) {
 
 std::vector<SeriesLook> looks_of(const RunTable& table) {
   std::vector<SeriesLook> looks;
-  std::size_t method = 0, variant = 0;
+  std::size_t method = 0, variant = 0, others = 0;
   for (std::size_t k = 0; k < table.series.size(); ++k) {
-    const bool same = k > 0 && table.series[k].method == table.series[k - 1].method;
-    if (k > 0) method += same ? 0 : 1;
+    const std::string& name = table.series[k].method;
+    const bool same = k > 0 && name == table.series[k - 1].method;
+    const auto place = std::find(kPlaces.begin(), kPlaces.end(), name);
+    if (!same)
+      method = place != kPlaces.end() ? static_cast<std::size_t>(place - kPlaces.begin())
+                                      : kPlaces.size() + others++;
     variant = same ? variant + 1 : 0;
     looks.push_back({kColours[method % kColours.size()], kShapes[method % kShapes.size()],
                      kDashes[variant % kDashes.size()], variant == 0});

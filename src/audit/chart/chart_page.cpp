@@ -93,8 +93,9 @@ const std::vector<ChartWords>& charts() {
        "jump between two frames."},
       {"winners", "Where does each method win?",
        "For each kind of terrain and each error: the method that draws most cheaply among those "
-       "whose error is at most this in every view of that kind. The cost is the median over these "
-       "views. A setting that was not finished in all of them does not compete."}};
+       "whose error is at most this in every view of that kind, and no pixel wrong (holes, "
+       "overshoots, see-through). The cost is the median over these views. A setting that was not "
+       "finished in all of them does not compete."}};
   return kCharts;
 }
 

@@ -31,7 +31,9 @@ struct OfKind {
 std::vector<Competitor> competitors(const OfKind& kind, std::size_t cost) {
   std::vector<Competitor> all;
   for (const auto& [setting, runs] : kind.settings) {
-    if (runs.size() < kind.views.size()) continue;
+    const bool is_whole = std::none_of(
+        runs.begin(), runs.end(), [](const auto& run) { return run.second->wrong_pixels > 0.0; });
+    if (runs.size() < kind.views.size() || !is_whole) continue;
     Competitor one{setting.first, setting.second, 0.0, 0.0};
     std::vector<double> costs;
     for (const auto& [view, run] : runs) {

@@ -26,7 +26,8 @@ struct Cheapest {
 
 /// For each kind and limit those series that keep it, the cheapest first, by one cost (a row of
 /// kCosts). A tolerance competes if it was finished with that cost in every view of that kind in
-/// which any was; of equal costs the earlier series, then the smaller tolerance, comes first.
+/// which any was, and no pixel of any is wrong: an error is of what is there. Of equal costs the
+/// earlier series, then the smaller tolerance, comes first.
 std::vector<Cheapest> cheapest_of(const RunTable& table, std::size_t cost);
 
 /// The cheapest of a kind of terrain that keeps its error.

@@ -73,6 +73,17 @@ std::vector<Worth> alternatives(const TerrainPlan& plan, const chart::RunTable& 
   return result;
 }
 
+// The first series of the same method and variant: its parameters, and the unit of its tolerance,
+// make no other way to draw.
+std::size_t family_of(const chart::RunTable& table, int series) {
+  const chart::Series& own = table.series[static_cast<std::size_t>(series)];
+  const auto first =
+      std::find_if(table.series.begin(), table.series.end(), [&](const chart::Series& other) {
+        return other.method == own.method && other.variant == own.variant;
+      });
+  return static_cast<std::size_t>(first - table.series.begin());
+}
+
 TerrainPlan plan_of(int terrain, const chart::RunTable& table, const PlanOptions& options) {
   TerrainPlan plan;
   plan.terrain = terrain;
@@ -86,7 +97,7 @@ TerrainPlan plan_of(int terrain, const chart::RunTable& table, const PlanOptions
   search.held_out = plan.held_out;
   search.claims_must_hold = options.claims_must_hold;
   for (const PlannedSetting& setting : plan.settings)
-    search.family.push_back(static_cast<std::size_t>(setting.series));
+    search.family.push_back(family_of(table, setting.series));
   plan.choice = choose(candidates, search);
   plan.otherwise = alternatives(plan, table);
   return plan;

@@ -130,6 +130,10 @@ ResultFile::ResultFile(std::filesystem::path path) : path_(std::move(path)) {
 ResultFile::~ResultFile() { close(); }
 
 void ResultFile::open() {
+  std::error_code none;
+  const auto kind = std::filesystem::status(path_, none).type();
+  if (kind != std::filesystem::file_type::regular && kind != std::filesystem::file_type::not_found)
+    input_error("cannot write '{}': results need a plain file, to be read again", path_.string());
   // Who renames a file over this one between opening and locking leaves us with a lock on nothing.
   for (;;) {
     file_ = ::open(path_.c_str(), O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC, 0666);

@@ -1,8 +1,11 @@
 #include "audit/sweep/scene.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 #include <utility>
 
 #include "audit/camera_path.h"
@@ -232,6 +235,23 @@ void require_different_names(const Items& items, const char* what) {
   }
 }
 
+// A variant that no method at all has is a mistake; one that those of the sweep lack is none.
+void require_variants(const Draft& draft) {
+  std::set<std::string> known;
+  for (const Method& method : draft.table)
+    known.insert(method.variants.begin(), method.variants.end());
+  const auto check = [&](const std::vector<std::string>& variants, const std::string& where) {
+    for (const std::string& variant : variants) {
+      if (!known.contains(variant))
+        input_error("{}: {}: no method has a variant '{}': there are {}", draft.name, where,
+                    variant, fmt::join(known, ", "));
+    }
+  };
+  check(draft.variants, "variants");
+  for (const auto& [method, only] : draft.only)
+    check(only.variants, "only." + method + ".variants");
+}
+
 // Tables for methods and terrains that the sweep does not have are mistakes.
 void require_used(const Draft& draft) {
   const auto runs = [&](const std::string& method) {
@@ -263,6 +283,7 @@ void complete(Draft& draft) {
   require_different_names(scene.terrains, "terrains");
   require_different_names(scene.cameras, "cameras");
   require_used(draft);
+  require_variants(draft);
   std::vector<Tolerance> tolerances = draft.tolerances_px;
   tolerances.insert(tolerances.end(), draft.tolerances_m.begin(), draft.tolerances_m.end());
   if (tolerances.empty()) tolerances.push_back({1.0, Unit::Pixel});

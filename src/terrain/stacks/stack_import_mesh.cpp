@@ -59,10 +59,10 @@ Box require_closed(const TriangleMesh& mesh, const std::string& source, MeshStac
   return box;
 }
 
-// Multiples of the spacing from below `low` to above `high`: what touches the outermost stacks
-// would go on beyond them.
+// Multiples of the spacing from below `low` to `high` or above, so that the outermost stacks are
+// outside the mesh: of a line on a side of it those of the west and the south are inside.
 std::vector<double> axis(double low, double high, double spacing_m, const std::string& source) {
-  const double first = std::ceil(low / spacing_m) - 1.0, last = std::floor(high / spacing_m) + 1.0;
+  const double first = std::ceil(low / spacing_m) - 1.0, last = std::ceil(high / spacing_m);
   if (!(last - first < 2147483646.0))
     input_error("{}: {} m between stacks are too few for {} m", source, spacing_m, high - low);
   require_memory(static_cast<std::int64_t>(last - first + 1.0) * 16, source + ": its stacks");

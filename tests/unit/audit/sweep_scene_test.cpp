@@ -153,6 +153,9 @@ TEST(SweepScene, SaysWhatIsWrongAndWhere) {
             "sweep.toml, line 4: parameters.full.size: unknown key; method full has none");
   EXPECT_EQ(error_of(small + "[parameters.slicing]\nleaf_cells = 4"),
             "sweep.toml: parameters.slicing: the sweep does not run that method");
+  EXPECT_EQ(error_of(small + "variants = [\"publishd\"]"),
+            "sweep.toml: variants: no method has a variant 'publishd': there are conservative, "
+            "published");
   EXPECT_EQ(error_of(small + "[only.full]\nterrains = [\"plain\"]"),
             "sweep.toml: only.full.terrains: no terrain is called 'plain'");
   EXPECT_EQ(error_of("terrains = [\"generate:plane\"]\nmethods = [\"ful\"]"),

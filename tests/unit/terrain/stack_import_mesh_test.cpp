@@ -86,13 +86,13 @@ TEST(StackImportMesh, HoldsABoxWhoseCornersAreOnStacks) {
     const MeshStacks result = stacks_of_mesh(mesh, "box", {.beside_m = 1.0});
     const StackField& field = result.field;
     require_valid(field);
-    EXPECT_EQ(field.columns, 6);  // -1 to 4
-    EXPECT_EQ(field.rows, 5);     // -1 to 3
+    EXPECT_EQ(field.columns, 7);  // -2 to 4
+    EXPECT_EQ(field.rows, 6);     // -2 to 3
     EXPECT_EQ(field.low_m, 0.0F);
     EXPECT_EQ(result.repaired, 0);
-    for (int j = 0; j < 5; ++j) {
-      for (int i = 0; i < 6; ++i) {
-        const bool in = i >= 1 && i < 4 && j >= 1 && j < 3;
+    for (int j = 0; j < 6; ++j) {
+      for (int i = 0; i < 7; ++i) {
+        const bool in = i >= 2 && i < 5 && j >= 2 && j < 4;
         EXPECT_EQ(field.stack(i, j).size(), in ? 2u : 0u) << i << ", " << j;
         if (in) {
           EXPECT_EQ(field.stack(i, j).start_m(1), 1.0F);
@@ -112,12 +112,13 @@ TEST(StackImportMesh, HoldsATetrahedron) {
   mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
   mesh.origin_m = {500000.0, 4000000.0, 100.0};
   const StackField field = stacks_of_mesh(mesh, "t", {.spacing_m = 0.5, .voxel_m = 1.0}).field;
-  EXPECT_EQ(field.origin_m, glm::dvec2(500000.0, 4000000.0));
-  for (int j = 0; j <= 8; ++j) {
-    for (int i = 0; i <= 8; ++i) {
-      const StackView stack = field.stack(i, j);
-      ASSERT_EQ(stack.size(), i + j < 8 ? 2u : 0u) << i << ", " << j;
-      if (i + j < 8) {
+  EXPECT_EQ(field.origin_m, glm::dvec2(499999.5, 3999999.5));
+  for (int j = -1; j <= 8; ++j) {
+    for (int i = -1; i <= 8; ++i) {
+      const StackView stack = field.stack(i + 1, j + 1);
+      const bool in = i >= 0 && j >= 0 && i + j < 8;
+      ASSERT_EQ(stack.size(), in ? 2u : 0u) << i << ", " << j;
+      if (in) {
         EXPECT_EQ(stack.start_m(1), 100.0F);
         EXPECT_EQ(stack.end_m[1], 104.0F - 0.5F * static_cast<float>(i + j));
       }
@@ -261,9 +262,9 @@ TEST(StackImportMesh, RepairsStacksWhoseLinesDoNotClose) {
   mesh.triangles.push_back({first, first + 1, first + 2});
   const MeshStacks result = stacks_of_mesh(mesh, "m");
   EXPECT_EQ(result.unbalanced_edges, 3);
-  EXPECT_EQ(result.repaired, 1);  // (21, 21); (22, 21) and (21, 22) lie on its far side
-  EXPECT_EQ(result.first_repaired_column, 21);
-  EXPECT_EQ(result.first_repaired_row, 21);
+  EXPECT_EQ(result.repaired, 1);  // over (21, 21); (22, 21) and (21, 22) lie on its far side
+  EXPECT_EQ(result.first_repaired_column, 22);
+  EXPECT_EQ(result.first_repaired_row, 22);
   EXPECT_EQ(volumes_m3(result.field)[1], 50.0 * 50.0 * 10.0);
   EXPECT_NE(result.field.provenance.assumptions.back().find("1 stacks"), std::string::npos);
   mesh.vertices_m[first + 1].x = mesh.vertices_m[first + 2].y = 45.5;

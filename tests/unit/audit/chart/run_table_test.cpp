@@ -118,6 +118,15 @@ TEST(RunTable, SaysInOneLineWhatIsWrong) {
 }
 
 // Alone, CPU time says something; while others run, triangles are the better first choice.
+TEST(Looks, OfAMethodAreTheSameWhateverStandsBesideIt) {
+  const RunTable one = parse_runs(line_of({.method = "stacks"}), "r"),
+                 two = parse_runs(line_of({.method = "aardvark"}) + line_of({.method = "stacks"}),
+                                  "r");
+  EXPECT_EQ(looks_of(one)[0].colour, looks_of(two)[1].colour);
+  EXPECT_EQ(looks_of(one)[0].shape, looks_of(two)[1].shape);
+  EXPECT_NE(looks_of(two)[0].shape, looks_of(two)[1].shape);
+}
+
 TEST(FirstCost, IsATimeOnlyWhereOneWasTakenAlone) {
   EXPECT_EQ(first_cost(parse_runs(line_of({}), "r")), kCpu);
   EXPECT_EQ(first_cost(parse_runs(line_of({.shared = true}), "r")), kTriangles);
