@@ -2,8 +2,11 @@
 // proportion.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
+#include <utility>
 
 #include "core/check.h"
 #include "support/stack_surfaces.h"
@@ -144,6 +147,33 @@ TEST(DegenerateStacks, NothingIsDrawnAcrossHoles) {
       EXPECT_FALSE(middle.x > 7.5 && middle.x < 9.5 && middle.y > 9.5 && middle.y < 11.5);
     }
   }
+}
+
+// The vertex between them has a fan of faces on either side: four edges of one face each.
+TEST(DegenerateStacks, HolesThatTouchByACornerTearAVertex) {
+  StackField field = stacks_where(12, 12, 16, [](int, int) { return Layers{}; });
+  terrain::StackWriter writer(field);
+  for (int k = 0; k < 12 * 12; ++k) {
+    if (k == 5 * 12 + 5 || k == 6 * 12 + 6) {
+      writer.add_hole();
+    } else {
+      writer.add(Layers{{0, 6, 1}});
+    }
+  }
+  const TriangleMesh mesh = surface_on(prepare(field), 0);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> faces;
+  for (const Triangle& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) ++faces[std::minmax(t[k], t[(k + 1) % 3])];
+  }
+  std::map<std::uint32_t, int> open_edges;
+  for (const auto& [edge, count] : faces) {
+    if (count > 1) continue;
+    ++open_edges[edge.first];
+    ++open_edges[edge.second];
+  }
+  const auto torn = std::count_if(open_edges.begin(), open_edges.end(),
+                                  [](const auto& vertex) { return vertex.second == 4; });
+  EXPECT_EQ(torn, 1);
 }
 
 }  // namespace

@@ -137,6 +137,14 @@ const char* frame_verdict(audit::Verdict verdict) {
                                              : "no verdict";
 }
 
+// The largest of the picture; "-" where none was measured.
+std::string pixel_error_text(const AuditResult& result) {
+  const audit::Distribution &up = result.vertical, &forth = result.nearest.forward,
+                            &back = result.nearest.reverse;
+  if ((result.of_heights ? up.count : forth.count + back.count) == 0) return "-";
+  return audit::short_number(result.of_heights ? up.max : std::max(forth.max, back.max));
+}
+
 }  // namespace
 
 std::vector<std::string> frame_row(std::size_t number, const AuditResult& result) {
@@ -146,9 +154,7 @@ std::vector<std::string> frame_row(std::size_t number, const AuditResult& result
           claim ? claim->label : "-",
           claim ? audit::with_unit(claim->claim.bound, claim->claim.unit) : "-",
           claim ? audit::with_unit(claim->measured, claim->claim.unit) : "-",
-          audit::short_number(
-              result.of_heights ? result.vertical.max
-                                : std::max(result.nearest.forward.max, result.nearest.reverse.max)),
+          pixel_error_text(result),
           std::to_string(result.coverage.holes + result.coverage.see_through),
           std::to_string(result.cost.triangles),
           fmt::format("{:.2f}", result.times.truth_s + result.times.measure_s)};
