@@ -237,7 +237,10 @@ std::string gallery_markdown(const std::vector<SceneRun>& runs) {
   std::string text =
       "# Where methods fail\n\n"
       "Scenes in which the rules of the papers break, each with what is measured there: by the "
-      "published rules, and by the conservative ones, which keep what they claim. `plumb "
+      "published rules, and by the conservative ones, which keep what they claim (but where "
+      "a budget makes them lag behind: levels-two-apart-after-a-jump). Where a claim other than "
+      "that "
+      "of the number decides the verdict, it is named. `plumb "
       "stability` draws and audits all of them and holds what it measures against what is stated "
       "in `src/audit/stability`; `plumb stability NAME -o FOLDER` makes these pictures: "
       "published, conservative, and the error of the first, yellow at "

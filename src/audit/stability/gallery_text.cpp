@@ -40,6 +40,7 @@ Json variant_json(const SceneRun& run, const VariantRun& variant, const Expected
     json["sentence"] = variant.sentence;
     json["claimed"] = variant.claimed ? number_or_null(*variant.claimed) : Json(nullptr);
     json["measured"] = number_or_null(variant.measured);
+    if (!variant.broken_by.empty()) json["broken_by"] = variant.broken_by;
     json["patch_claims_broken"] = variant.patch_claims_broken;
     json["counters"] = {{"triangles", variant.cost.triangles},
                         {"slices", variant.cost.slices},
@@ -74,8 +75,9 @@ std::string measured_text(const SceneRun& run, const std::optional<VariantRun>& 
                           const std::optional<Expected>& expected) {
   if (!variant) return "-";
   if (!variant->refused.empty()) return "refused";
-  return fmt::format("{} {}, {}", name_of(expected->reading),
-                     number(*run.scene, *expected, variant->measured), name_of(variant->verdict));
+  return fmt::format("{} {}, {}{}", name_of(expected->reading),
+                     number(*run.scene, *expected, variant->measured), name_of(variant->verdict),
+                     variant->broken_by.empty() ? "" : " by " + variant->broken_by);
 }
 
 std::string claimed_text(const SceneRun& run, const std::optional<VariantRun>& variant,

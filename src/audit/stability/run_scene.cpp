@@ -1,5 +1,7 @@
 #include "audit/stability/run_scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -56,6 +58,20 @@ AuditOptions options_of(const Scene& scene, const Method& method, const std::str
   (scene.tolerance.unit == Unit::Pixel ? options.band.pixels : options.band.metres) =
       scene.tolerance.value;
   return options;
+}
+
+// What broke where the claim of this reading did not; empty if it did, or nothing did.
+std::string broken_by_another(const AuditResult& result, Reading reading) {
+  std::string broken;
+  for (const ClaimResult& claim : result.claims) {
+    if (claim.claim.scope != Scope::Frame || !claim.is_broken()) continue;
+    if (claim.label == name_of(reading)) return "";
+    if (broken.empty())
+      broken = fmt::format("{} {}", claim.label, with_unit(claim.measured, claim.claim.unit));
+  }
+  if (broken.empty() && result.patch_claims_broken > 0)
+    broken = fmt::format("patch-claims {}", result.patch_claims_broken);
+  return broken;
 }
 
 bool has_nan(const AuditResult& result) {
@@ -143,6 +159,7 @@ class Stage {
     const AuditResult result = truth.audit(surface, camera, options_of(scene_, method_, variant));
     run.verdict = result.verdict();
     run.sentence = verdict_sentence(result);
+    run.broken_by = broken_by_another(result, expected.reading);
     run.measured =
         value_of(expected.reading, scene_.tolerance.unit, truth.terms(), surface, result, camera);
     run.claimed = claimed_of(expected.reading, scene_, result);

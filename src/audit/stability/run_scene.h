@@ -16,6 +16,7 @@ struct VariantRun {
   std::string refused = {};  // the one line why; empty: it was drawn
   Verdict verdict = Verdict::None;
   std::string sentence = {};             // the verdict in words
+  std::string broken_by = {};            // if not by the expected reading: what broke, and how far
   double measured = 0.0;                 // the expected reading
   std::optional<double> claimed = {};    // what is claimed of it; nothing: no claim speaks of it
   std::int64_t patch_claims_broken = 0;  // that the audit found
