@@ -5,6 +5,7 @@
 
 #include "audit/apart_on_screen.h"
 #include "audit/coverage_parts.h"
+#include "audit/mesh_band_walk.h"
 #include "audit/pixel_scale.h"
 
 namespace plumb::audit {
@@ -21,6 +22,7 @@ class SolidLook {
         local_(relative_to(camera, to_drawn.mesh.origin_m)),
         to_drawn_(to_drawn),
         band_(band),
+        walk_(truth, camera, band),
         radius_(band_in_pixels(band)),
         drawn_around_(neighbourhoods(drawn, radius_ + 1)) {}
 
@@ -32,14 +34,17 @@ class SolidLook {
     const bool at_large = band_.metres == 0.0 &&
                           (hit ? drawn_around_[pixel].all_hit() : drawn_around_[pixel].all_miss());
     if (n.all_hit() && !hit) {
-      const bool sky =
-          !at_large && any_ray(x, y, true_hits_, [](const reference::RayHit& ray) { return !ray; });
-      return sky ? DefectKind::None : DefectKind::Hole;
+      if (at_large) return DefectKind::Hole;
+      const bool sky = any_ray(x, y, true_hits_, [](const reference::RayHit& ray) { return !ray; });
+      return sky || is_displaced_past(true_hits_.from_eye_m[pixel]) ? DefectKind::None
+                                                                    : DefectKind::Hole;
     }
     if (n.all_miss() && hit) {
-      const bool land = !at_large && any_ray(x, y, drawn_, [](const reference::RayHit& ray) {
-        return static_cast<bool>(ray);
-      });
+      if (at_large) return DefectKind::Overshoot;
+      // Truth that is seen edge on is hit by no ray; displaced, it shows.
+      if (walk_.keeps(drawn_.from_eye_m[pixel])) return DefectKind::None;
+      const bool land = any_ray(
+          x, y, drawn_, [](const reference::RayHit& ray) { return static_cast<bool>(ray); });
       return land ? DefectKind::None : DefectKind::Overshoot;
     }
     return hit && n.all_hit() && is_seen_through(x, y, n) ? DefectKind::SeeThrough
@@ -56,6 +61,11 @@ class SolidLook {
     return !any_ray(x, y, true_hits_, [&](const reference::RayHit& ray) {
       return !ray || ray.t >= depth * (1.0 - kNearlySameDepth);
     });
+  }
+
+  // True if what the truth shows is drawn within the band, and may let the ray pass there.
+  bool is_displaced_past(const glm::dvec3& ray) const {
+    return has_drawn_nearby(local_.eye_m + ray) && walk_.may_pass(ray);
   }
 
   bool has_drawn_nearby(const glm::dvec3& true_point) const {
@@ -97,6 +107,7 @@ class SolidLook {
   Camera local_;
   const NearestSide& to_drawn_;
   Band band_;
+  MeshBandWalk walk_;
   int radius_;
   Neighbourhoods drawn_around_;
 };

@@ -9,9 +9,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "audit/chart/chart_data.h"
 #include "audit/chart/chart_page.h"
 #include "audit/chart/chart_tables.h"
+#include "audit/chart/scales.h"
 #include "chart_maps.h"
 #include "chart_print.h"
 #include "child_process.h"

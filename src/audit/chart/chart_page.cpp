@@ -8,6 +8,7 @@
 #include "audit/chart/camera_paths.h"
 #include "audit/chart/chart_data.h"
 #include "audit/chart/plain_charts.h"
+#include "audit/chart/scales.h"
 #include "report/html_page.h"
 #include "report/web_assets.h"
 

@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "audit/chart/camera_paths.h"
-#include "audit/chart/chart_data.h"
+#include "audit/chart/scales.h"
 #include "audit/chart/winners.h"
 #include "core/check.h"
 #include "report/plain_chart.h"

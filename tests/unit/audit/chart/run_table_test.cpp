@@ -6,6 +6,7 @@
 
 #include "audit/chart/camera_paths.h"
 #include "audit/chart/chart_data.h"
+#include "audit/chart/scales.h"
 #include "core/check.h"
 #include "support/sweep_lines.h"
 
