@@ -6,21 +6,11 @@ import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 
 import { Browser } from "./browser.mjs";
+import { check, conclude, fail } from "./checks.mjs";
 
 const [program, work, page] = process.argv.slice(2);
 assert.ok(page, "usage: chart_test.mjs CHROMIUM WORK_FOLDER PAGE");
 mkdirSync(work, { recursive: true });
-
-let failures = 0;
-async function check(name, body) {
-  try {
-    await body();
-    console.log(`passed  ${name}`);
-  } catch (error) {
-    ++failures;
-    console.log(`FAILED  ${name}\n        ${error.message.split("\n").join("\n        ")}`);
-  }
-}
 
 const drawn = (tab) => tab.until(() => tab.evaluate(`document.querySelector("#charts")?.dataset.drawn === "all"`), "all charts are drawn");
 
@@ -151,10 +141,8 @@ try {
   await check("no request leaves the page", async () => assert.deepEqual(tab.requests.filter((url) => !/^(file|data):/.test(url)), []));
   await check("no error in the console", async () => assert.deepEqual(tab.faults, []));
 } catch (error) {
-  ++failures;
-  console.log(`FAILED  ${error.message}`);
+  fail(error.message);
 } finally {
   await browser.close();
 }
-console.log(failures === 0 ? "all passed" : `${failures} failed`);
-process.exitCode = failures === 0 ? 0 : 1;
+conclude();

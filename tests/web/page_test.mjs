@@ -6,21 +6,11 @@ import { basename, dirname, join } from "node:path";
 import { pathToFileURL } from "node:url";
 
 import { Browser } from "./browser.mjs";
+import { check, conclude, fail } from "./checks.mjs";
 
 const [program, work, index, ...pages] = process.argv.slice(2);
 assert.ok(pages.length > 0, "usage: page_test.mjs CHROMIUM WORK_FOLDER INDEX_PAGE PAGE...");
 mkdirSync(work, { recursive: true });
-
-let failures = 0;
-async function check(name, body) {
-  try {
-    await body();
-    console.log(`passed  ${name}`);
-  } catch (error) {
-    ++failures;
-    console.log(`FAILED  ${name}\n        ${error.message.split("\n").join("\n        ")}`);
-  }
-}
 
 // The part of the page that an element covers, and whether it can be seen; scrolls it into view.
 const box = (tab, selector) =>
@@ -197,10 +187,8 @@ try {
   await index_page(browser);
   for (const page of pages) await whole_page(browser, page);
 } catch (error) {
-  ++failures;
-  console.log(`FAILED  ${error.message}`);
+  fail(error.message);
 } finally {
   await browser.close();
 }
-console.log(failures === 0 ? "all passed" : `${failures} failed`);
-process.exitCode = failures === 0 ? 0 : 1;
+conclude();
