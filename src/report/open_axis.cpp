@@ -29,7 +29,7 @@ std::string text_of_step(int step) {
   static const int kTimes[3] = {1, 2, 5};
   const int decade = static_cast<int>(std::floor(step / 3.0));
   const int times = kTimes[step - 3 * decade];
-  if (decade > 4 || decade < -4) return fmt::format("{}e{}", times, decade);
+  if (decade > 4 || decade < -3) return fmt::format("{}e{}", times, decade);
   if (decade >= 0) return fmt::format("{:.0f}", times * reproducible_pow(10.0, decade));
   return fmt::format("{:.{}f}", times * reproducible_pow(10.0, decade), -decade);
 }
