@@ -11,9 +11,10 @@ namespace plumb::audit {
 /// coverage.h has.
 ///
 /// hole         nothing is drawn, and the truth is hit at all pixels within the band; no truth ray
-///              between their centres misses
-/// overshoot    something is drawn, and the truth is missed at all pixels within the band; no truth
-///              ray between their centres hits
+///              between their centres misses; and what the truth shows is not drawn within the
+///              band, or does not let the ray pass there (MeshBandWalk)
+/// overshoot    something is drawn, farther from the truth than the band, and the truth is missed
+///              at all pixels within the band; no truth ray between their centres hits
 /// see-through  the truth is hit all around, the drawn point lies behind all of it, also between
 ///              the centres; the point of the drawn surface that is nearest to the truth's is
 ///              farther from it than the band, on the screen and in metres; and the truth nearest
