@@ -9,13 +9,11 @@
 
 #include "audit/surface_picture.h"
 #include "audit/temporal/path_json.h"
-#include "audit/temporal/path_page.h"
 #include "audit/temporal/path_watch.h"
 #include "audit/temporal/popping_limit.h"
 #include "core/check.h"
 #include "core/parallel.h"
 #include "mesh/full/full_detail.h"
-#include "solid_scenes.h"
 #include "support/test_terrain.h"
 
 namespace plumb::audit::temporal {
@@ -246,34 +244,6 @@ TEST_F(FrameChanges, AreTheSameOnAnyNumberOfThreads) {
   EXPECT_EQ(popping_summary_json(many), popping_summary_json(alone));
 }
 
-// Half a metre up from 16 m below the eye: what shows o pixels off the middle goes to o * 16
-// / 15.5, by o / 31, and 49.5 * sqrt(2) is the farthest pixel.
-TEST(SolidFrameChange, PopsByWhatARiseSpansOnTheScreen) {
-  const terrain::Heightfield field = level_ground();
-  const MeshTruth truth = truth_of(field);
-  const DrawnSurface exact = full_detail(field), up = with_mesh(exact, raised(*exact.mesh, 0.5));
-  const Frame before(exact, from_20_m()), now(up, from_20_m());
-  const AuditResult audited = audit_surface(truth, up, from_20_m());
-  const FrameChange change = change_between(truth, audited, now, &before, nullptr);
-  EXPECT_NEAR(change.popping->max_px, 49.5 * std::sqrt(2.0) / 31.0, 1e-9);
-  EXPECT_EQ(change.popping->pixels.count, 10000);
-  EXPECT_NEAR(change.popping->worst->m, 0.5, 1e-12);
-  EXPECT_FALSE(change.flicker.has_value());
-}
-
-TEST(SolidFrameChange, IsNoneWhereOnlyTheCameraMoves) {
-  const terrain::Heightfield field = level_ground();
-  const MeshTruth truth = truth_of(field);
-  const DrawnSurface exact = full_detail(field), again = with_mesh(exact, *exact.mesh);
-  Camera moved = from_20_m();
-  moved.eye_m.x += 0.7;
-  const Frame before(exact, from_20_m()), now(again, moved);
-  const FrameChange change =
-      change_between(truth, audit_surface(truth, again, moved), now, &before, nullptr);
-  EXPECT_GT(change.popping->pixels.count, 9000);
-  EXPECT_EQ(change.popping->max_px, 0.0);
-}
-
 // 6.89 px, as above.
 TEST_F(FrameChanges, AreJudgedByALimit) {
   const Frame before(drawn(0.0), from_above()), now(drawn(20.0), from_above());
@@ -331,35 +301,6 @@ TEST_F(FrameChanges, CountPixelsThatPopByMoreThanOne) {
     }
   }
   EXPECT_EQ(change.popping->over_1px, more);
-}
-
-PathRow row_of(std::size_t frame, double popping_px, std::int64_t flicker) {
-  PathRow row;
-  row.frame = frame;
-  row.error_px = 0.5;
-  row.popping_px = popping_px;
-  row.flicker_pixels = row.flicker_patches = flicker;
-  row.worst = "pixel (1, 2)";
-  return row;
-}
-
-TEST(PathPage, SaysWhatIsWorstInASentence) {
-  EXPECT_EQ(path_sentence({row_of(2, 0.0, 0)}), "Nothing pops; no level flickers.");
-  EXPECT_EQ(path_sentence({row_of(2, 1.5, 0), row_of(3, 2.5, 7), row_of(4, 2.5, 3)}),
-            "Popping at most 2.5 px, in frame 3 at pixel (1, 2); levels flicker in 2 frames, most "
-            "in frame 3: 7 pixels of 7 patches.");
-}
-
-// An error without end is left out of its panel; the other panels have the frame.
-TEST(PathPage, DrawsAllPanelsOverTheFrames) {
-  std::vector<PathRow> rows{row_of(1, 1.0, 0), row_of(2, 2.0, 4)};
-  rows[1].error_px = std::numeric_limits<double>::infinity();
-  const std::string svg = path_chart(rows, "title", 1.0, std::nullopt);
-  for (const char* label : {"largest error, px", "largest popping, px", "flickering pixels",
-                            "triangles, thousands", ">frame<", ">tolerance<"})
-    EXPECT_NE(svg.find(label), std::string::npos) << label;
-  EXPECT_EQ(svg.find("frame 2: largest error"), std::string::npos);
-  EXPECT_NE(svg.find("frame 2: largest popping, px 2<"), std::string::npos);
 }
 
 }  // namespace
