@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <span>
-#include <utility>
 
 #include "audit/coverage_parts.h"
 #include "audit/mesh_edges.h"
 #include "audit/pixel_scale.h"
+#include "reference/triangle_distance.h"
 
 namespace plumb::audit {
 namespace {
@@ -16,27 +16,11 @@ namespace {
 constexpr double kStep = 0.25;  // of the band, along a ray
 constexpr int kHalves = 20;     // of a step
 
-double distance_to_edge(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
-  const glm::dvec3 along = b - a;
-  const double length_squared = glm::dot(along, along);
-  const double at =
-      length_squared > 0.0 ? std::clamp(glm::dot(p - a, along) / length_squared, 0.0, 1.0) : 0.0;
-  const glm::dvec3 off = p - (a + at * along);
-  return std::sqrt(glm::dot(off, off));
-}
-
 }  // namespace
 
 MeshBandWalk::MeshBandWalk(const MeshTruth& truth, const Camera& camera, const Band& band)
     : truth_(truth), local_(relative_to(camera, truth.mesh().origin_m)), band_(band) {
   band_.pixels = std::max(1.0, band_.pixels);
-  const std::vector<glm::dvec3>& vertices = truth.mesh().vertices_m;
-  if (vertices.empty()) return;
-  lowest_ = highest_ = vertices.front();
-  for (const glm::dvec3& vertex : vertices) {
-    lowest_ = glm::min(lowest_, vertex);
-    highest_ = glm::max(highest_, vertex);
-  }
 }
 
 bool MeshBandWalk::may_pass(const glm::dvec3& from_eye_m) const {
@@ -121,10 +105,11 @@ bool MeshBandWalk::is_on_rim(const reference::NearestPoint& found) const {
   const Triangle& corners = mesh.triangles[found.triangle];
   for (int k = 0; k < 3; ++k) {
     const glm::dvec3 &a = mesh.vertices_m[corners[k]], &b = mesh.vertices_m[corners[(k + 1) % 3]];
-    if (rim().vertices[corners[k]] && glm::distance(found.point_m, a) <= truth_.slack_m())
+    if (border().rim_vertices[corners[k]] && glm::distance(found.point_m, a) <= truth_.slack_m())
       return true;
-    if ((rim().edges[found.triangle] >> k & 1) != 0 &&
-        distance_to_edge(found.point_m, a, b) <= truth_.slack_m())
+    if ((border().rim_edges[found.triangle] >> k & 1) != 0 &&
+        glm::distance(found.point_m, reference::nearest_on_segment(found.point_m, a, b)) <=
+            truth_.slack_m())
       return true;
   }
   return false;
@@ -143,33 +128,37 @@ double MeshBandWalk::leaves_at(const glm::dvec3& ray) const {
   double leaves = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 2; ++axis) {
     if (ray[axis] == 0.0) continue;
-    const double wall = ray[axis] > 0.0 ? highest_[axis] : lowest_[axis];
+    const double wall = ray[axis] > 0.0 ? border().box.high[axis] : border().box.low[axis];
     leaves = std::min(leaves, (wall - local_.eye_m[axis]) / ray[axis]);
   }
   return leaves;
 }
 
-const MeshBandWalk::Rim& MeshBandWalk::rim() const {
-  std::call_once(once_, [&] {
-    const TriangleMesh& mesh = truth_.mesh();
-    Rim rim{std::vector<bool>(mesh.vertices_m.size()),
-            std::vector<std::uint8_t>(mesh.triangles.size())};
-    const MeshEdges edges(mesh);
-    for (std::uint32_t low = 0; low < edges.vertices(); ++low) {
-      const std::span<const HalfEdge> around = edges.from(low);
-      for (std::size_t i = 0, next = 0; i < around.size(); i = next) {
-        for (next = i; next < around.size() && around[next].high == around[i].high;) ++next;
-        if (next - i != 1) continue;
-        rim.vertices[low] = rim.vertices[around[i].high] = true;
-        const Triangle& corners = mesh.triangles[around[i].triangle];
-        const std::uint32_t begin = around[i].rising ? low : around[i].high;
-        const auto corner = std::find(corners.begin(), corners.end(), begin) - corners.begin();
-        rim.edges[around[i].triangle] |= static_cast<std::uint8_t>(1 << corner);
-      }
-    }
-    rim_ = std::make_unique<const Rim>(std::move(rim));
-  });
-  return *rim_;
+// Made when a doubtful pixel first asks: most pictures have none.
+const MeshBandWalk::Border& MeshBandWalk::border() const {
+  std::call_once(once_,
+                 [&] { border_ = std::make_unique<const Border>(border_of(truth_.mesh())); });
+  return *border_;
+}
+
+MeshBandWalk::Border MeshBandWalk::border_of(const TriangleMesh& mesh) {
+  Border border;
+  for (const glm::dvec3& vertex : mesh.vertices_m) border.box.add(vertex);
+  border.rim_vertices.resize(mesh.vertices_m.size());
+  border.rim_edges.resize(mesh.triangles.size());
+  const MeshEdges edges(mesh);
+  for (std::uint32_t low = 0; low < edges.vertices(); ++low) {
+    edges.for_each_edge(low, [&](std::span<const HalfEdge> sides) {
+      if (sides.size() != 1) return;
+      const HalfEdge& side = sides[0];
+      border.rim_vertices[low] = border.rim_vertices[side.high] = true;
+      const Triangle& corners = mesh.triangles[side.triangle];
+      const auto corner = std::find(corners.begin(), corners.end(), side.rising ? low : side.high) -
+                          corners.begin();
+      border.rim_edges[side.triangle] |= static_cast<std::uint8_t>(1 << corner);
+    });
+  }
+  return border;
 }
 
 }  // namespace plumb::audit

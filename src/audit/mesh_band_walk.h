@@ -10,6 +10,7 @@
 
 #include "audit/band_walk.h"
 #include "audit/mesh_truth.h"
+#include "core/box.h"
 #include "core/camera.h"
 #include "core/hit_image.h"
 
@@ -39,9 +40,10 @@ class MeshBandWalk {
  private:
   using Way = BandWalk::Way;
   enum class Beyond { Blocks, IsFree };  // the band
-  struct Rim {
-    std::vector<bool> vertices;
-    std::vector<std::uint8_t> edges;  // of a triangle; bit k: the one from corner k to the next
+  struct Border {
+    Box box;
+    std::vector<bool> rim_vertices;
+    std::vector<std::uint8_t> rim_edges;  // of a triangle; bit k: from corner k to the next
   };
 
   bool sinks(const glm::dvec3& ray, double end) const;
@@ -51,14 +53,14 @@ class MeshBandWalk {
   bool is_on_rim(const reference::NearestPoint& found) const;
   bool enters_rock(const glm::dvec3& ray, std::uint32_t triangle) const;
   double leaves_at(const glm::dvec3& ray) const;
-  const Rim& rim() const;
+  const Border& border() const;
+  static Border border_of(const TriangleMesh& mesh);
 
   const MeshTruth& truth_;
   Camera local_;
   Band band_;
-  glm::dvec3 lowest_{0.0}, highest_{0.0};
   mutable std::once_flag once_;
-  mutable std::unique_ptr<const Rim> rim_;
+  mutable std::unique_ptr<const Border> border_;
 };
 
 }  // namespace plumb::audit

@@ -26,6 +26,15 @@ class MeshEdges {
   std::span<const HalfEdge> from(std::uint32_t low) const {
     return {half_edges_.data() + start_[low], start_[low + 1] - start_[low]};
   }
+  /// visit(sides) for each edge from a vertex to a greater one: the half-edges that it consists of.
+  template <class Visit>
+  void for_each_edge(std::uint32_t low, const Visit& visit) const {
+    const std::span<const HalfEdge> all = from(low);
+    for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+      while (end < all.size() && all[end].high == all[begin].high) ++end;
+      visit(all.subspan(begin, end - begin));
+    }
+  }
 
  private:
   std::vector<std::size_t> start_;

@@ -118,25 +118,20 @@ class Examination {
   }
 
   void examine_edges_of(std::uint32_t low, EdgeRun& run) const {
-    const auto sides = edges_.from(low);
-    for (std::size_t k = 0; k < sides.size();) {
-      std::size_t end = k + 1;
-      while (end < sides.size() && sides[end].high == sides[k].high) ++end;
-      const std::size_t count = end - k;
-      const OpenEdge edge{low, sides[k].high, sides[k].triangle};
-      if (count == 1) {
+    edges_.for_each_edge(low, [&](std::span<const HalfEdge> sides) {
+      const OpenEdge edge{low, sides[0].high, sides[0].triangle};
+      if (sides.size() == 1) {
         ++run.boundary;
         if (rules_.is_open(position(low), position(edge.high))) run.open.push_back(edge);
-      } else if (count > 2 || sides[k].rising == sides[k + 1].rising) {
+      } else if (sides.size() > 2 || sides[0].rising == sides[1].rising) {
         run.non_manifold.push_back(edge);
       } else {
         if (rules_.folds_at_edges() &&
-            rules_.is_folded_at_edge(normal(sides[k].triangle), normal(sides[k + 1].triangle)))
+            rules_.is_folded_at_edge(normal(sides[0].triangle), normal(sides[1].triangle)))
           run.folded.push_back(edge);
-        run.lod_jump = std::max(run.lod_jump, jump(sides[k].triangle, sides[k + 1].triangle));
+        run.lod_jump = std::max(run.lod_jump, jump(sides[0].triangle, sides[1].triangle));
       }
-      k = end;
-    }
+    });
   }
 
   int jump(std::uint32_t a, std::uint32_t b) const {

@@ -72,8 +72,7 @@ Method stacks_row() {
       {"radius", "of the filter, voxels, 0 to 4 (1)"},
       {"budget",
        "node meshes that a frame of a path may make, as the paper's 40, but one change at least; "
-       "0: "
-       "all (0)"},
+       "0: all (0)"},
       {"voxel", "height of a voxel of a terrain of heights, metres (the mean spacing)"}};
   method.prepare = [](const terrain::Heightfield& field, const MethodChoice& choice) {
     if (field.stacks != nullptr && choice.parameters.contains("voxel"))

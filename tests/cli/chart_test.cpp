@@ -44,7 +44,8 @@ TEST(ChartCommand, WritesAPageAndPicturesForPrint) {
   const json said = json::parse(result.out);
   EXPECT_EQ(said.at("runs"), 2);
   EXPECT_EQ(said.at("failed"), 1);
-  for (const char* name : {"charts.html", "tables.md", "cost-error.svg", "claims.svg", "winners.svg"}) {
+  for (const char* name :
+       {"charts.html", "tables.md", "cost-error.svg", "claims.svg", "winners.svg"}) {
     EXPECT_TRUE(has(said.at("files"), name)) << name;
     EXPECT_FALSE(text_of(folder.file("charts/") + name).empty()) << name;
   }

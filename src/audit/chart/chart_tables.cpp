@@ -101,7 +101,8 @@ std::string chart_tables(const RunTable& table, std::size_t cost, const std::str
   text += claims_table(table);
   text += fmt::format(
       "\n## The cost of an error\n{}: median over the views, of the cheapest tolerance (in "
-      "brackets, as asked) at which the measured error stays within the column's in every view and no "
+      "brackets, as asked) at which the measured error stays within the column's in every view and "
+      "no "
       "pixel is wrong. \"-\": no tolerance of the sweep keeps it.{}\n\n",
       kCosts[cost].name,
       kCosts[cost].is_time && shared ? " Other runs used the machine meanwhile." : "");

@@ -64,8 +64,7 @@ void add_views(std::vector<Scene>& scenes) {
                            with("0.05", "16"), px(0.5)));
   scenes.back().finding =
       "It is not the plane that breaks the claim: one at 0.5 m changes nothing, and with the "
-      "edge's "
-      "midpoint or the inner minimum mended the claim holds.";
+      "edge's midpoint or the inner minimum mended the claim holds.";
 }
 
 void add_heights(std::vector<Scene>& scenes) {

@@ -24,8 +24,7 @@ StackField halved(const StackField& finer, float high_m);
 StackField halved(const StackField& finer);
 
 /// The finest field and what halving makes of it, `levels` fields in all, of one interval of
-/// heights: stacks of level L stand
-/// at the middle of 2^L x 2^L finest ones.
+/// heights: stacks of level L stand at the middle of 2^L x 2^L finest ones.
 ///
 /// levels  1 to 31; beyond a field of one stack the next ones still double their spacing
 /// Throws std::invalid_argument for another number, or a field that is not valid.
